@@ -1,0 +1,83 @@
+//! What is to be computed: typed entities, expressions in geometric algebra, and kernels, whose [`Specification`] is
+//! the exact meaning that a program is proved against.
+
+mod entity;
+mod expression;
+mod specification;
+
+pub use entity::{Component, ComponentValue, Entity, Statement};
+pub use expression::{Expression, ExpressionKind, Function, Operator};
+pub use specification::{Analytic, Coefficient, Specification, SpecificationError, instance};
+
+use crate::algebra::Basis;
+use proc_macro2::{Span, TokenStream};
+
+/// An input of a kernel.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// The name.
+    pub name: String,
+    /// The entity, as an index into [`Definition::entities`].
+    pub entity: usize,
+}
+
+/// A typed function with one expression as its meaning.
+#[derive(Clone, Debug)]
+pub struct Kernel {
+    /// The name of the emitted function.
+    pub name: String,
+    /// Documentation lines.
+    pub docs: Vec<String>,
+    /// The inputs.
+    pub parameters: Vec<Parameter>,
+    /// The output entity, as an index into [`Definition::entities`].
+    pub output: usize,
+    /// `exp` or `log`, where the definition is that function of [`Kernel::expression`].
+    pub analytic: Option<Analytic>,
+    /// The definition, or the argument of the analytic function.
+    pub expression: Expression,
+    /// Relations between the inputs beyond those of their types, over the kernel's symbols.
+    pub statements: Vec<Statement>,
+    /// Where the name stands.
+    pub span: Span,
+}
+
+impl Kernel {
+    /// The definition as it is written.
+    pub fn definition(&self) -> String {
+        let names: Vec<_> = self.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+        let inner = self.expression.display(&names);
+        match self.analytic {
+            None => inner,
+            Some(Analytic::Exp) => format!("exp({inner})"),
+            Some(Analytic::Log) => format!("log({inner})"),
+        }
+    }
+}
+
+/// A whole definition block with every name resolved.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// Signature, names and orientations of the blades.
+    pub basis: Basis,
+    /// The types. The first is always the built-in `Scalar`.
+    pub entities: Vec<Entity>,
+    /// The kernels in the order of the block.
+    pub kernels: Vec<Kernel>,
+    /// The path of the module that has the traits `Scalar` and `Real`; where there is none they are emitted too.
+    pub scalar_path: Option<TokenStream>,
+    /// The name under which the list of kernels is exported as a macro.
+    pub export: Option<String>,
+}
+
+impl Definition {
+    /// The kernel of that name.
+    pub fn kernel(&self, name: &str) -> Option<&Kernel> {
+        self.kernels.iter().find(|kernel| kernel.name == name)
+    }
+
+    /// The entity of that name.
+    pub fn entity(&self, name: &str) -> Option<&Entity> {
+        self.entities.iter().find(|entity| entity.name == name)
+    }
+}

@@ -1,0 +1,182 @@
+//! The exact meaning of a kernel: polynomials over the coefficients of its inputs, and what holds between those.
+
+use super::{ComponentValue, Definition, Entity, Kernel};
+use crate::algebra::Basis;
+use crate::symbolic::{Multivector, Overflow, Polynomial, Relation, Relations, RelationsError, Symbol};
+use std::fmt;
+
+/// A function of a multivector that is not a polynomial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Analytic {
+    /// exp(B) = sum of B^n / n!, for a bivector B.
+    Exp,
+    /// The inverse of exp near the identity.
+    Log,
+}
+
+/// A free coefficient of an input.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Coefficient {
+    /// The index of the parameter.
+    pub parameter: usize,
+    /// The field; empty for a plain scalar.
+    pub field: String,
+    /// The name in messages, such as `m.e23`.
+    pub name: String,
+}
+
+/// The exact meaning of a kernel.
+#[derive(Clone, Debug)]
+pub struct Specification {
+    /// The inputs' free coefficients; a symbol is an index into this list.
+    pub coefficients: Vec<Coefficient>,
+    /// What holds between the symbols.
+    pub relations: Relations,
+    /// The same as it was stated: polynomials that are 0.
+    pub stated: Vec<Polynomial>,
+    /// The inputs as multivectors.
+    pub inputs: Vec<Multivector>,
+    /// `exp` or `log`, where the kernel is that function of `value`.
+    pub analytic: Option<Analytic>,
+    /// The definition expanded, or the argument of the analytic function; not reduced by the relations.
+    pub value: Multivector,
+    /// The output type.
+    pub output: Entity,
+    /// The names and orientations of blades.
+    pub basis: Basis,
+}
+
+/// Why a kernel has no meaning.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SpecificationError {
+    /// [`Overflow`]
+    Overflow,
+    /// More symbols than are supported.
+    TooLarge,
+    /// The inputs' relations together have no normal form.
+    Relations(RelationsError),
+    /// The expression has a coefficient that the output type cannot hold: blade and normal form.
+    CannotHold(String, String),
+    /// The output type fixes a coefficient that the expression does not meet: blade, fixed value, normal form.
+    WrongConstant(String, String, String),
+    /// The output type has a relation that the expression does not satisfy: its text and the normal form of the excess.
+    BrokenPromise(String, String),
+}
+
+impl From<Overflow> for SpecificationError {
+    fn from(_: Overflow) -> Self {
+        Self::Overflow
+    }
+}
+
+impl fmt::Display for SpecificationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Overflow => Overflow.fmt(f),
+            Self::TooLarge => write!(f, "expected at most {MAX_SYMBOLS} input coefficients, found more"),
+            Self::Relations(_) => f.write_str("expected relations with a confluent normal form, found none"),
+            Self::CannotHold(blade, value) => {
+                write!(f, "expected an output that can hold `{blade}`, found none: its coefficient is {value}")
+            }
+            Self::WrongConstant(blade, constant, value) => {
+                write!(f, "expected the coefficient {constant} of `{blade}` that the output type fixes, found {value}")
+            }
+            Self::BrokenPromise(relation, value) => {
+                write!(f, "expected an output with `{relation}`, found a difference of {value}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for SpecificationError {}
+
+const MAX_SYMBOLS: usize = 4096;
+
+/// The coefficients of a list of inputs, their multivectors, and their types' relations over the common symbols.
+pub fn instance<'a>(
+    inputs: impl IntoIterator<Item = (&'a str, &'a Entity)>,
+) -> Result<(Vec<Coefficient>, Vec<Multivector>, Vec<Relation>), SpecificationError> {
+    let (mut coefficients, mut multivectors, mut relations) = (Vec::new(), Vec::new(), Vec::new());
+    for (parameter, (name, entity)) in inputs.into_iter().enumerate() {
+        let first = Symbol::try_from(coefficients.len()).map_err(|_| SpecificationError::TooLarge)?;
+        multivectors.push(entity.symbolic(first));
+        relations.extend(entity.statements.iter().map(|statement| statement.relation.shifted(first)));
+        coefficients.extend(entity.fields().map(|(field, _)| Coefficient {
+            parameter,
+            field: field.to_owned(),
+            name: if field.is_empty() { name.to_owned() } else { format!("{name}.{field}") },
+        }));
+        if coefficients.len() > MAX_SYMBOLS {
+            return Err(SpecificationError::TooLarge);
+        }
+    }
+    Ok((coefficients, multivectors, relations))
+}
+
+impl Specification {
+    /// The meaning of a kernel.
+    ///
+    /// # Errors
+    /// An output type that cannot hold the value or whose promises the value does not keep, for polynomial kernels; for
+    /// analytic ones the proof decides that. Relations without normal form; overflow.
+    pub fn new(definition: &Definition, kernel: &Kernel) -> Result<Self, SpecificationError> {
+        let typed = kernel.parameters.iter().map(|p| (p.name.as_str(), &definition.entities[p.entity]));
+        let (coefficients, inputs, mut relations) = instance(typed)?;
+        relations.extend(kernel.statements.iter().map(|statement| statement.relation.clone()));
+        let stated = relations.iter().map(|relation| relation.polynomial().clone()).collect();
+        let relations = Relations::new(&relations).map_err(SpecificationError::Relations)?;
+        let value = kernel.expression.evaluate(&inputs, &definition.basis)?;
+        let output = definition.entities[kernel.output].clone();
+        let basis = definition.basis.clone();
+        let specification = Self { coefficients, relations, stated, inputs, analytic: kernel.analytic, value, output, basis };
+        if specification.analytic.is_none() {
+            specification.check_output()?;
+        }
+        Ok(specification)
+    }
+
+    /// The names of the symbols.
+    pub fn names(&self) -> Vec<String> {
+        self.coefficients.iter().map(|coefficient| coefficient.name.clone()).collect()
+    }
+
+    /// The specified polynomials, one for each field of the output. Only for kernels that are not analytic.
+    pub fn outputs(&self) -> Vec<Polynomial> {
+        self.output.fields().map(|(_, c)| oriented(&self.value.coefficient(c.blade), c.sign.is_minus())).collect()
+    }
+
+    /// Checks that the output type holds the value and that the value keeps what the type promises.
+    fn check_output(&self) -> Result<(), SpecificationError> {
+        let names = self.names();
+        for named in self.basis.blades() {
+            let value = oriented(&self.value.coefficient(named.blade), named.sign.is_minus());
+            let component = self.output.components.iter().find(|component| component.blade == named.blade);
+            let constant = match component.map(|component| &component.value) {
+                Some(ComponentValue::Field(_)) => continue,
+                Some(ComponentValue::Constant(constant)) => Some(*constant),
+                None => None,
+            };
+            let expected = constant.map_or_else(Polynomial::zero, Polynomial::constant);
+            if !self.relations.difference(&value, &expected)?.is_zero() {
+                let found = self.relations.normal_form(&value)?.display(&names);
+                return Err(match constant {
+                    Some(constant) => SpecificationError::WrongConstant(named.name.clone(), constant.to_string(), found),
+                    None => SpecificationError::CannotHold(named.name.clone(), found),
+                });
+            }
+        }
+        let reduced: Vec<_> =
+            self.outputs().iter().map(|output| self.relations.normal_form(output)).collect::<Result<_, _>>()?;
+        for (statement, value) in self.output.statements.iter().zip(self.output.relation_values(&reduced)?) {
+            let excess = self.relations.normal_form(&value)?;
+            if !excess.is_zero() {
+                return Err(SpecificationError::BrokenPromise(statement.text.clone(), excess.display(&names)));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn oriented(polynomial: &Polynomial, minus: bool) -> Polynomial {
+    if minus { polynomial.neg() } else { polynomial.clone() }
+}

@@ -1,0 +1,95 @@
+//! Building a program: equal operations are shared, dead ones dropped.
+
+use super::{Operation, Program, Value};
+use crate::symbolic::Rational;
+use std::collections::BTreeMap;
+
+/// Collects operations; the same operation twice gives the same value.
+#[derive(Clone, Debug, Default)]
+pub struct ProgramBuilder {
+    operations: Vec<Operation>,
+    known: BTreeMap<Operation, Value>,
+}
+
+impl ProgramBuilder {
+    /// An empty program.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The value of an operation whose operands were built before.
+    pub fn push(&mut self, operation: Operation) -> Value {
+        let operation = match operation {
+            Operation::Add(a, b) if b < a => Operation::Add(b, a),
+            Operation::Mul(a, b) if b < a => Operation::Mul(b, a),
+            other => other,
+        };
+        *self.known.entry(operation).or_insert_with(|| {
+            self.operations.push(operation);
+            self.operations.len() - 1
+        })
+    }
+
+    /// The negative of a value; that of a negative is the value itself.
+    pub fn negate(&mut self, value: Value) -> Value {
+        match self.operations[value] {
+            Operation::Neg(inner) => inner,
+            Operation::Constant(number) => self.push(Operation::Constant(number.neg())),
+            Operation::Sub(a, b) => self.push(Operation::Sub(b, a)),
+            _ => self.push(Operation::Neg(value)),
+        }
+    }
+
+    /// A sum of signed values, the first positive one first; 0 for none.
+    pub fn sum(&mut self, terms: &[(bool, Value)]) -> Value {
+        let Some(first) = terms.iter().position(|(minus, _)| !minus).or(if terms.is_empty() { None } else { Some(0) })
+        else {
+            return self.push(Operation::Constant(Rational::ZERO));
+        };
+        let all_minus = terms[first].0;
+        let mut total = terms[first].1;
+        for (_, &(minus, value)) in terms.iter().enumerate().filter(|&(index, _)| index != first) {
+            total = if minus == all_minus {
+                self.push(Operation::Add(total, value))
+            } else {
+                self.push(Operation::Sub(total, value))
+            };
+        }
+        if all_minus { self.negate(total) } else { total }
+    }
+
+    /// The program with these outputs and what they need.
+    pub fn finish(self, outputs: &[Value]) -> Program {
+        let mut live = vec![false; self.operations.len()];
+        let mut pending = outputs.to_vec();
+        while let Some(value) = pending.pop() {
+            if !std::mem::replace(&mut live[value], true) {
+                pending.extend(self.operations[value].operands());
+            }
+        }
+        let mut renumbered = vec![0; self.operations.len()];
+        let mut operations = Vec::new();
+        for (value, operation) in self.operations.iter().enumerate().filter(|&(value, _)| live[value]) {
+            renumbered[value] = operations.len();
+            operations.push(map_operands(*operation, |operand| renumbered[operand]));
+        }
+        Program { operations, outputs: outputs.iter().map(|&value| renumbered[value]).collect() }
+    }
+}
+
+/// The same operation on other operands.
+fn map_operands(operation: Operation, map: impl Fn(Value) -> Value) -> Operation {
+    match operation {
+        Operation::Input(_) | Operation::Constant(_) => operation,
+        Operation::Add(a, b) => Operation::Add(map(a), map(b)),
+        Operation::Sub(a, b) => Operation::Sub(map(a), map(b)),
+        Operation::Mul(a, b) => Operation::Mul(map(a), map(b)),
+        Operation::Neg(a) => Operation::Neg(map(a)),
+        Operation::Double(a) => Operation::Double(map(a)),
+        Operation::Sqrt(a) => Operation::Sqrt(map(a)),
+        Operation::Sin(a) => Operation::Sin(map(a)),
+        Operation::Cos(a) => Operation::Cos(map(a)),
+        Operation::Atan2(a, b) => Operation::Atan2(map(a), map(b)),
+        Operation::Quotient(a, b, limit) => Operation::Quotient(map(a), map(b), limit),
+    }
+}

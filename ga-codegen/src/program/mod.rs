@@ -1,0 +1,66 @@
+//! Straight-line programs in static single assignment: what is proved, counted and emitted.
+
+mod builder;
+mod count;
+mod evaluate;
+
+pub use builder::ProgramBuilder;
+pub use count::Count;
+pub use evaluate::{Domain, FloatDomain};
+
+use crate::symbolic::Rational;
+
+/// The value of an operation, by the operation's index.
+pub type Value = usize;
+
+/// One operation. Operands come before their users.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Operation {
+    /// The input coefficient of that index.
+    Input(usize),
+    /// A number.
+    Constant(Rational),
+    /// a + b
+    Add(Value, Value),
+    /// a - b
+    Sub(Value, Value),
+    /// a * b
+    Mul(Value, Value),
+    /// -a
+    Neg(Value),
+    /// 2 a, computed as a + a
+    Double(Value),
+    /// The square root.
+    Sqrt(Value),
+    /// The sine.
+    Sin(Value),
+    /// The cosine.
+    Cos(Value),
+    /// The angle of the point (second, first), in (-pi, pi].
+    Atan2(Value, Value),
+    /// A quotient with a removable singularity: numerator / denominator, and the number where the denominator is 0.
+    Quotient(Value, Value, Rational),
+}
+
+impl Operation {
+    /// The values that it uses.
+    pub fn operands(self) -> impl Iterator<Item = Value> {
+        let (a, b) = match self {
+            Self::Input(_) | Self::Constant(_) => (None, None),
+            Self::Neg(a) | Self::Double(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => (Some(a), None),
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Atan2(a, b) | Self::Quotient(a, b, _) => {
+                (Some(a), Some(b))
+            }
+        };
+        a.into_iter().chain(b)
+    }
+}
+
+/// A straight-line program. Its operations are the least that its outputs need: none is dead.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Program {
+    /// The operations, operands first.
+    pub operations: Vec<Operation>,
+    /// The value of every field of the output.
+    pub outputs: Vec<Value>,
+}
