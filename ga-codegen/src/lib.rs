@@ -1,4 +1,5 @@
 //! Library.
+pub mod algebra;
 /// x
 #[allow(missing_docs)]
 pub fn expand(i: proc_macro2::TokenStream) -> syn::Result<proc_macro2::TokenStream> { Ok(i) }
