@@ -1,10 +1,16 @@
 //! lib
 
 pub mod algebra;
+pub mod emit;
+mod expand;
 pub mod factor;
 pub mod kernel;
+mod lower;
+pub mod preset;
 pub mod program;
 pub mod proof;
+pub mod reference;
 pub mod symbolic;
-/// x
-pub fn expand(i: proc_macro2::TokenStream) -> syn::Result<proc_macro2::TokenStream> { Ok(i) }
+mod syntax;
+
+pub use expand::{Compiled, compile, define, expand};

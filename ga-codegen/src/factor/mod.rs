@@ -8,7 +8,7 @@ mod variants;
 
 use crate::algebra::Sign;
 use crate::kernel::{Analytic, Specification};
-use crate::program::{Operation, Program, ProgramBuilder};
+use crate::program::{Count, Operation, Program, ProgramBuilder};
 use crate::symbolic::{Overflow, Polynomial};
 use std::fmt;
 use system::System;
@@ -75,4 +75,16 @@ pub fn factor_polynomials(polynomials: &[Polynomial], input_count: usize) -> Res
 
 fn oriented(polynomial: Polynomial, sign: Sign) -> Polynomial {
     if sign.is_minus() { polynomial.neg() } else { polynomial }
+}
+
+/// The multiplications and additions of the definition expanded, nothing shared; `None` for an analytic kernel.
+///
+/// # Errors
+/// [`Overflow`]
+pub fn expanded_count(specification: &Specification) -> Result<Option<Count>, Overflow> {
+    if specification.analytic.is_some() {
+        return Ok(None);
+    }
+    let (flops, mul) = System::new(&specification.outputs(), specification.coefficients.len())?.cost();
+    Ok(Some(Count { mul, add: flops - mul, ..Count::default() }))
 }

@@ -40,6 +40,8 @@ pub struct Kernel {
     pub statements: Vec<Statement>,
     /// Where the name stands.
     pub span: Span,
+    /// Where the output type stands.
+    pub output_span: Span,
 }
 
 impl Kernel {

@@ -1,0 +1,260 @@
+//! From syntax to a [`Definition`]: every name is resolved, every arity and relation checked. Errors are collected, so
+//! that several are reported at once.
+
+mod expression;
+
+use crate::algebra::{Basis, Signature};
+use crate::kernel::{Component, ComponentValue, Definition, Entity, Kernel, Parameter, Statement};
+use crate::symbolic::{Rational, Relation, Relations, RelationsError, Symbol};
+use crate::syntax::{Item, Name, RawComponent, RawKernel, RawRelation};
+use expression::Scope;
+use proc_macro2::Span;
+use std::collections::BTreeMap;
+
+/// Errors so far.
+#[derive(Default)]
+pub(crate) struct Errors(Option<syn::Error>);
+
+impl Errors {
+    pub(crate) fn push(&mut self, span: Span, message: impl std::fmt::Display) {
+        self.absorb(syn::Error::new(span, message));
+    }
+
+    pub(crate) fn absorb(&mut self, error: syn::Error) {
+        match &mut self.0 {
+            Some(errors) => errors.combine(error),
+            None => self.0 = Some(error),
+        }
+    }
+
+    pub(crate) fn into_result<T>(self, value: T) -> syn::Result<T> {
+        self.0.map_or(Ok(value), Err)
+    }
+}
+
+/// Resolves the items of a block.
+///
+/// # Errors
+/// Everything that is wrong with names, arities and relations, combined.
+pub fn lower(items: &[Item]) -> syn::Result<Definition> {
+    let basis = lower_basis(items)?;
+    let mut errors = Errors::default();
+    let mut definition =
+        Definition { basis, entities: vec![Entity::scalar()], kernels: Vec::new(), scalar_path: None, export: None };
+    for item in items {
+        match item {
+            Item::Entity { docs, name, components, relations } => {
+                if definition.entity(&name.text).is_some() {
+                    errors.push(name.span, format!("expected entities with distinct names, found `{}` twice", name.text));
+                }
+                let entity = lower_entity(&definition.basis, docs, name, components, relations, &mut errors);
+                definition.entities.push(entity);
+            }
+            Item::Scalar { path } => definition.scalar_path = Some(path.clone()),
+            Item::Export { name } => definition.export = Some(name.text.clone()),
+            Item::Signature { .. } | Item::Basis { .. } | Item::Kernel(_) => {}
+        }
+    }
+    let kernels = items.iter().filter_map(|item| if let Item::Kernel(kernel) = item { Some(kernel) } else { None });
+    for raw in kernels {
+        if definition.kernel(&raw.name.text).is_some() {
+            let message = format!("expected kernels with distinct names, found `{}` twice", raw.name.text);
+            errors.push(raw.name.span, message);
+        }
+        if let Some(kernel) = lower_kernel(&definition, raw, &mut errors) {
+            definition.kernels.push(kernel);
+        }
+    }
+    errors.into_result(definition)
+}
+
+fn lower_basis(items: &[Item]) -> syn::Result<Basis> {
+    let mut errors = Errors::default();
+    let (mut signature, mut blades) = (None, None);
+    for item in items {
+        match item {
+            Item::Signature { span, .. } if signature.is_some() => {
+                errors.push(*span, "expected one signature, found a second");
+            }
+            Item::Signature { span, numbers: [p, q, r] } => signature = Some((*span, Signature::new(*p, *q, *r))),
+            Item::Basis { span, .. } if blades.is_some() => errors.push(*span, "expected one basis, found a second"),
+            Item::Basis { span, blades: found } => blades = Some((*span, found)),
+            _ => {}
+        }
+    }
+    let Some((signature_span, signature)) = signature else {
+        errors.push(Span::call_site(), "expected a signature such as `signature (3, 0, 1);`, found none");
+        return errors.into_result(()).and(Err(syn::Error::new(Span::call_site(), "expected a signature")));
+    };
+    errors.into_result(())?;
+    let Some((basis_span, blades)) = blades else {
+        return Basis::canonical(signature).map_err(|error| syn::Error::new(signature_span, error));
+    };
+    let words = blades.iter().map(|(name, word)| (name.text.clone(), &word.text));
+    Basis::new(signature, words).map_err(|error| {
+        let span = match error.index {
+            Some(index) => blades[index].1.span,
+            None if signature.dimension() > Signature::MAX_DIMENSION => signature_span,
+            None => basis_span,
+        };
+        syn::Error::new(span, error)
+    })
+}
+
+fn lower_entity(
+    basis: &Basis,
+    docs: &[String],
+    name: &Name,
+    raw: &[RawComponent],
+    relations: &[RawRelation],
+    errors: &mut Errors,
+) -> Entity {
+    let mut components: Vec<Component> = Vec::new();
+    for component in raw {
+        let Some(named) = basis.find(&component.blade.text) else {
+            let blades: Vec<_> = basis.blades().iter().map(|named| named.name.as_str()).collect();
+            let (found, known) = (&component.blade.text, blades.join(" "));
+            errors.push(component.blade.span, format!("expected a blade of the basis ({known}), found `{found}`"));
+            continue;
+        };
+        if components.iter().any(|other| other.blade == named.blade) {
+            let message = format!("expected every blade once in `{}`, found `{}` twice", name.text, named.name);
+            errors.push(component.blade.span, message);
+            continue;
+        }
+        let value = match (&component.field, component.constant) {
+            (Some(field), _) => ComponentValue::Field(field.text.clone()),
+            (None, constant) => ComponentValue::Constant(Rational::integer(constant.unwrap_or(0))),
+        };
+        let duplicate = components.iter().any(|other| matches!(value, ComponentValue::Field(_)) && other.value == value);
+        if let (true, Some(field)) = (duplicate, &component.field) {
+            let message = format!("expected fields with distinct names in `{}`, found `{}` twice", name.text, field.text);
+            errors.push(field.span, message);
+        }
+        components.push(Component { value, blade: named.blade, sign: named.sign });
+    }
+    let mut entity =
+        Entity { name: name.text.clone(), docs: docs.to_vec(), components, statements: Vec::new(), span: name.span };
+    let fields = entity.fields().enumerate().map(|(i, (field, _))| (field.to_owned(), i as Symbol)).collect();
+    entity.statements = lower_relations(relations, &fields, errors);
+    check_relations(&entity.statements, &entity.statements, &fields, errors);
+    entity
+}
+
+/// Relations over named symbols.
+fn lower_relations(raw: &[RawRelation], symbols: &BTreeMap<String, Symbol>, errors: &mut Errors) -> Vec<Statement> {
+    let mut statements = Vec::new();
+    for relation in raw {
+        match expression::relation(relation, symbols) {
+            Ok((relation, text, span)) => statements.push(Statement { relation, text, span }),
+            Err(error) => errors.absorb(error),
+        }
+    }
+    statements
+}
+
+/// Checks that relations have normal forms; the last of the offending ones that is in `own` is reported.
+fn check_relations(all: &[Statement], own: &[Statement], symbols: &BTreeMap<String, Symbol>, errors: &mut Errors) {
+    let relations: Vec<Relation> = all.iter().map(|statement| statement.relation.clone()).collect();
+    let Err(error) = Relations::new(&relations) else { return };
+    let mut names = vec![String::new(); symbols.len()];
+    for (name, &symbol) in symbols {
+        names[usize::from(symbol)].clone_from(name);
+    }
+    let (index, message) = match error {
+        RelationsError::NotTerminating(index) => {
+            let message = "expected a relation whose first monomial is the greatest in some lexicographic order that \
+                 suits all relations, found none: write another monomial first";
+            (index, message.to_owned())
+        }
+        RelationsError::NotConfluent(first, second, remainder) => {
+            let (first, remainder) = (&all[first].text, remainder.display(&names));
+            let message = format!(
+                "expected relations with unique normal forms, found that this one and `{first}` leave {remainder} \
+                 undecided: write another monomial first, or state that it is 0"
+            );
+            (second, message)
+        }
+        RelationsError::Overflow => (all.len() - 1, crate::symbolic::Overflow.to_string()),
+    };
+    let statement = all.get(index).filter(|s| own.iter().any(|other| other.text == s.text)).or(own.last());
+    if let Some(statement) = statement {
+        errors.push(statement.span, message);
+    }
+}
+
+fn find_entity(definition: &Definition, name: &Name, errors: &mut Errors) -> Option<usize> {
+    let found = definition.entities.iter().position(|entity| entity.name == name.text);
+    if found.is_none() {
+        let known: Vec<_> = definition.entities.iter().map(|entity| entity.name.as_str()).collect();
+        errors.push(name.span, format!("expected an entity ({}), found `{}`", known.join(", "), name.text));
+    }
+    found
+}
+
+fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -> Option<Kernel> {
+    let mut parameters: Vec<Parameter> = Vec::new();
+    let mut complete = true;
+    for (name, entity) in &raw.parameters {
+        if parameters.iter().any(|parameter| parameter.name == name.text) {
+            errors.push(name.span, format!("expected parameters with distinct names, found `{}` twice", name.text));
+        }
+        if definition.basis.find(&name.text).is_some() {
+            errors.push(name.span, format!("expected a parameter that is not named like a blade, found `{}`", name.text));
+        }
+        match find_entity(definition, entity, errors) {
+            Some(entity) => parameters.push(Parameter { name: name.text.clone(), entity }),
+            None => complete = false,
+        }
+    }
+    let output = find_entity(definition, &raw.output, errors);
+    if !complete {
+        return None;
+    }
+    let scope = Scope { basis: &definition.basis, parameters: &parameters };
+    let (analytic, expression) = match scope.body(&raw.expression) {
+        Ok(body) => body,
+        Err(error) => {
+            errors.absorb(error);
+            return None;
+        }
+    };
+    let statements = lower_kernel_relations(definition, &parameters, &raw.relations, errors);
+    Some(Kernel {
+        name: raw.name.text.clone(),
+        docs: raw.docs.clone(),
+        parameters,
+        output: output?,
+        analytic,
+        expression,
+        statements,
+        span: raw.name.span,
+        output_span: raw.output.span,
+    })
+}
+
+fn lower_kernel_relations(
+    definition: &Definition,
+    parameters: &[Parameter],
+    raw: &[RawRelation],
+    errors: &mut Errors,
+) -> Vec<Statement> {
+    if raw.is_empty() {
+        return Vec::new();
+    }
+    let (mut symbols, mut all) = (BTreeMap::new(), Vec::new());
+    for parameter in parameters {
+        let entity = &definition.entities[parameter.entity];
+        let first = symbols.len() as Symbol;
+        for (index, (field, _)) in entity.fields().enumerate() {
+            let name = if field.is_empty() { parameter.name.clone() } else { format!("{}.{field}", parameter.name) };
+            symbols.insert(name, first + index as Symbol);
+        }
+        let shifted = |s: &Statement| Statement { relation: s.relation.shifted(first), ..s.clone() };
+        all.extend(entity.statements.iter().map(shifted));
+    }
+    let own = lower_relations(raw, &symbols, errors);
+    all.extend(own.iter().cloned());
+    check_relations(&all, &own, &symbols, errors);
+    own
+}

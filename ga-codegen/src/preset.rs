@@ -1,0 +1,17 @@
+//! Definition blocks that come with the crate.
+
+/// The names of the presets.
+pub const NAMES: [&str; 2] = ["pga3d", "pga2d"];
+
+/// The text of a preset's definition block.
+pub fn text(name: &str) -> Option<&'static str> {
+    match name {
+        "pga3d" => Some(include_str!("presets/pga3d.ga")),
+        "pga2d" => Some(include_str!("presets/pga2d.ga")),
+        _ => None,
+    }
+}
+
+pub(crate) fn names() -> String {
+    NAMES.map(|name| format!("`{name}`")).join(", ")
+}

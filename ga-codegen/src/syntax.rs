@@ -1,0 +1,413 @@
+//! The grammar of a definition block, and its parser. Names are resolved later, in `lower`.
+//!
+//! ```text
+//! block     := item*
+//! item      := "signature" "(" INT "," INT "," INT ")" ";"
+//!            | "basis" ( BLADE | NAME "=" BLADE )* ";"
+//!            | DOC* "entity" NAME "{" component,* "}" ( ";" | "where" relation,+ ";" )?
+//!            | DOC* "kernel" NAME "(" ( NAME ":" ENTITY ),* ")" "->" ENTITY "=" expression ( "where" relation,+ )? ";"
+//!            | "preset" NAME ";"       the items of a preset, in place
+//!            | "scalar" PATH ";"       the module with the traits Scalar and Real
+//!            | "export" NAME ";"       exports the list of kernels as the macro NAME_kernels
+//! component := FIELD ":" BLADE | BLADE | ( "-"? NUMBER ) ":" BLADE
+//! relation  := expression "==" expression
+//! ```
+//! Expressions are those of [`crate::kernel::Operator`], with Rust's precedence, `~` for the reverse, and calls of
+//! named functions. An item that does not parse does not keep the others from being parsed.
+
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use syn::parse::{ParseStream, Parser};
+use syn::{LitInt, LitStr, Token, braced, bracketed, parenthesized};
+
+use crate::kernel::Operator;
+use crate::preset;
+
+/// A name and where it stands.
+#[derive(Clone, Debug)]
+pub struct Name {
+    pub text: String,
+    pub span: Span,
+}
+
+/// A part of a definition block.
+#[derive(Clone, Debug)]
+pub enum Item {
+    Signature { span: Span, numbers: [usize; 3] },
+    Basis { span: Span, blades: Vec<(Name, Name)> },
+    Entity { docs: Vec<String>, name: Name, components: Vec<RawComponent>, relations: Vec<RawRelation> },
+    Kernel(RawKernel),
+    Scalar { path: TokenStream },
+    Export { name: Name },
+}
+
+/// A component of an entity.
+#[derive(Clone, Debug)]
+pub struct RawComponent {
+    pub field: Option<Name>,
+    pub constant: Option<i64>,
+    pub blade: Name,
+}
+
+/// A relation of an entity or a kernel.
+#[derive(Clone, Debug)]
+pub struct RawRelation {
+    pub left: RawExpression,
+    pub right: RawExpression,
+    pub span: Span,
+}
+
+/// A kernel.
+#[derive(Clone, Debug)]
+pub struct RawKernel {
+    pub docs: Vec<String>,
+    pub name: Name,
+    pub parameters: Vec<(Name, Name)>,
+    pub output: Name,
+    pub expression: RawExpression,
+    pub relations: Vec<RawRelation>,
+}
+
+/// An expression whose names are not resolved.
+#[derive(Clone, Debug)]
+pub struct RawExpression {
+    pub kind: RawKind,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub enum RawKind {
+    Name(String),
+    Field(String, String),
+    Number(i64),
+    Negate(Box<RawExpression>),
+    Reverse(Box<RawExpression>),
+    Binary(Operator, Box<RawExpression>, Box<RawExpression>),
+    Quotient(Box<RawExpression>, Box<RawExpression>),
+    Call(String, Vec<RawExpression>),
+}
+
+const KEYWORDS: &str = "`signature`, `basis`, `entity`, `kernel`, `preset`, `scalar` or `export`";
+
+/// Parses a block into items.
+///
+/// # Errors
+/// Every item that does not parse, combined.
+pub fn parse(tokens: TokenStream) -> syn::Result<Vec<Item>> {
+    let mut items = Vec::new();
+    let mut errors: Option<syn::Error> = None;
+    for chunk in chunks(tokens) {
+        match item.parse2(chunk) {
+            Ok(parsed) => items.extend(parsed),
+            Err(error) => match &mut errors {
+                Some(errors) => errors.combine(error),
+                None => errors = Some(error),
+            },
+        }
+    }
+    errors.map_or(Ok(items), Err)
+}
+
+/// Splits a block after every `;` and after the braces of an entity without relations.
+fn chunks(tokens: TokenStream) -> Vec<TokenStream> {
+    let mut chunks = Vec::new();
+    let mut chunk = Vec::new();
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(token) = tokens.next() {
+        let ends = match &token {
+            TokenTree::Punct(punct) => punct.as_char() == ';',
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => match tokens.peek() {
+                Some(TokenTree::Ident(next)) => next != "where",
+                Some(TokenTree::Punct(next)) => next.as_char() != ';',
+                _ => true,
+            },
+            _ => false,
+        };
+        chunk.push(token);
+        if ends {
+            chunks.push(chunk.drain(..).collect());
+        }
+    }
+    if !chunk.is_empty() {
+        chunks.push(chunk.into_iter().collect());
+    }
+    chunks
+}
+
+fn item(input: ParseStream) -> syn::Result<Vec<Item>> {
+    if input.peek(Token![;]) {
+        input.parse::<Token![;]>()?;
+        return Ok(Vec::new());
+    }
+    let docs = docs(input)?;
+    let keyword: Ident = any_ident(input, KEYWORDS)?;
+    let item = match keyword.to_string().as_str() {
+        "signature" => signature(keyword.span(), input)?,
+        "basis" => basis(keyword.span(), input)?,
+        "entity" => return entity(docs, input).map(|item| vec![item]),
+        "kernel" => kernel(docs, input)?,
+        "scalar" => scalar(input)?,
+        "export" => Item::Export { name: name(input, "a name for the exported list of kernels")? },
+        "preset" => {
+            let items = included(&name(input, "the name of a preset")?)?;
+            input.parse::<Token![;]>()?;
+            return Ok(items);
+        }
+        other => return Err(syn::Error::new(keyword.span(), format!("expected {KEYWORDS}, found `{other}`"))),
+    };
+    input.parse::<Token![;]>()?;
+    Ok(vec![item])
+}
+
+fn included(name: &Name) -> syn::Result<Vec<Item>> {
+    let text = preset::text(&name.text).ok_or_else(|| {
+        let message = format!("expected one of the presets {}, found `{}`", preset::names(), name.text);
+        syn::Error::new(name.span, message)
+    })?;
+    let tokens: TokenStream = text.parse().map_err(|error| {
+        syn::Error::new(name.span, format!("expected a preset that is made of tokens, found {error}"))
+    })?;
+    parse(tokens)
+}
+
+/// An identifier, keywords of Rust included.
+fn any_ident(input: ParseStream, expected: &str) -> syn::Result<Ident> {
+    input.step(|cursor| match cursor.ident() {
+        Some(found) => Ok(found),
+        None => Err(cursor.error(format!("expected {expected}"))),
+    })
+}
+
+fn name(input: ParseStream, expected: &str) -> syn::Result<Name> {
+    let ident = input.step(|cursor| match cursor.ident() {
+        Some(found) => Ok(found),
+        None => match cursor.token_tree() {
+            Some((found, _)) => Err(syn::Error::new(found.span(), format!("expected {expected}, found `{found}`"))),
+            None => Err(cursor.error(format!("expected {expected}"))),
+        },
+    })?;
+    Ok(Name { text: ident.to_string(), span: ident.span() })
+}
+
+fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
+    let mut docs = Vec::new();
+    while input.peek(Token![#]) {
+        input.parse::<Token![#]>()?;
+        let content;
+        bracketed!(content in input);
+        let attribute = any_ident(&content, "a doc comment")?;
+        if attribute != "doc" {
+            let message = format!("expected a doc comment, found the attribute `{attribute}`");
+            return Err(syn::Error::new(attribute.span(), message));
+        }
+        content.parse::<Token![=]>()?;
+        docs.push(content.parse::<LitStr>()?.value().trim().to_owned());
+    }
+    Ok(docs)
+}
+
+fn signature(span: Span, input: ParseStream) -> syn::Result<Item> {
+    let content;
+    parenthesized!(content in input);
+    let numbers = content.parse_terminated(|input: ParseStream| input.parse::<LitInt>(), Token![,])?;
+    let numbers: Vec<usize> = numbers.iter().map(|number| number.base10_parse()).collect::<syn::Result<_>>()?;
+    let found = numbers.len();
+    let numbers = numbers.try_into().map_err(|_| {
+        syn::Error::new(span, format!("expected a signature of three numbers (p, q, r), found {found}"))
+    })?;
+    Ok(Item::Signature { span, numbers })
+}
+
+/// A blade: a name, or the number 1 for the scalar.
+fn blade(input: ParseStream) -> syn::Result<Name> {
+    if input.peek(LitInt) {
+        let literal: LitInt = input.parse()?;
+        return Ok(Name { text: literal.to_string(), span: literal.span() });
+    }
+    name(input, "a blade")
+}
+
+fn basis(span: Span, input: ParseStream) -> syn::Result<Item> {
+    let mut blades = Vec::new();
+    while !input.peek(Token![;]) && !input.is_empty() {
+        let name = blade(input)?;
+        let word = if input.peek(Token![=]) {
+            input.parse::<Token![=]>()?;
+            blade(input)?
+        } else {
+            name.clone()
+        };
+        blades.push((name, word));
+    }
+    Ok(Item::Basis { span, blades })
+}
+
+fn entity(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
+    let name = name(input, "the name of an entity")?;
+    let content;
+    braced!(content in input);
+    let components = content.parse_terminated(component, Token![,])?.into_iter().collect();
+    let relations = relations(input)?;
+    if input.peek(Token![;]) || !relations.is_empty() {
+        input.parse::<Token![;]>()?;
+    }
+    Ok(Item::Entity { docs, name, components, relations })
+}
+
+fn component(input: ParseStream) -> syn::Result<RawComponent> {
+    if input.peek(LitInt) || input.peek(Token![-]) {
+        let minus = input.parse::<Option<Token![-]>>()?.is_some();
+        let number: i64 = input.parse::<LitInt>()?.base10_parse()?;
+        input.parse::<Token![:]>()?;
+        let constant = Some(if minus { -number } else { number });
+        return Ok(RawComponent { field: None, constant, blade: blade(input)? });
+    }
+    let field = name(input, "a field, a blade or a number")?;
+    let blade = if input.peek(Token![:]) {
+        input.parse::<Token![:]>()?;
+        blade(input)?
+    } else {
+        field.clone()
+    };
+    Ok(RawComponent { field: Some(field), constant: None, blade })
+}
+
+fn relations(input: ParseStream) -> syn::Result<Vec<RawRelation>> {
+    let mut relations = Vec::new();
+    if !input.peek(Token![where]) {
+        return Ok(relations);
+    }
+    input.parse::<Token![where]>()?;
+    loop {
+        let span = input.span();
+        let left = expression(input, 0)?;
+        input.parse::<Token![==]>()?;
+        relations.push(RawRelation { left, right: expression(input, 0)?, span });
+        if !input.peek(Token![,]) {
+            return Ok(relations);
+        }
+        input.parse::<Token![,]>()?;
+        if input.peek(Token![;]) {
+            return Ok(relations);
+        }
+    }
+}
+
+fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
+    let kernel_name = name(input, "the name of a kernel")?;
+    let content;
+    parenthesized!(content in input);
+    let parameter = |input: ParseStream| {
+        let parameter = name(input, "the name of a parameter")?;
+        input.parse::<Token![:]>()?;
+        Ok((parameter, name(input, "an entity")?))
+    };
+    let parameters = content.parse_terminated(parameter, Token![,])?.into_iter().collect();
+    input.parse::<Token![->]>()?;
+    let output = name(input, "an entity")?;
+    input.parse::<Token![=]>()?;
+    let expression = expression(input, 0)?;
+    Ok(Item::Kernel(RawKernel { docs, name: kernel_name, parameters, output, expression, relations: relations(input)? }))
+}
+
+fn scalar(input: ParseStream) -> syn::Result<Item> {
+    let mut path = TokenStream::new();
+    while !input.peek(Token![;]) && !input.is_empty() {
+        path.extend([input.parse::<TokenTree>()?]);
+    }
+    if path.is_empty() {
+        return Err(input.error("expected the path of the module with the traits `Scalar` and `Real`"));
+    }
+    Ok(Item::Scalar { path })
+}
+
+/// Binary operators by precedence climbing.
+fn expression(input: ParseStream, least: u8) -> syn::Result<RawExpression> {
+    let mut left = unary(input)?;
+    loop {
+        let span = input.span();
+        if input.peek(Token![/]) && least <= Operator::Geometric.precedence() {
+            input.parse::<Token![/]>()?;
+            let right = unary(input)?;
+            left = RawExpression { kind: RawKind::Quotient(Box::new(left), Box::new(right)), span };
+            continue;
+        }
+        let Some(operator) = peek_operator(input).filter(|operator| operator.precedence() >= least) else {
+            return Ok(left);
+        };
+        if operator == Operator::Sandwich {
+            input.parse::<Token![>>]>()?;
+        } else {
+            input.parse::<TokenTree>()?;
+        }
+        let right = expression(input, operator.precedence() + 1)?;
+        left = RawExpression { kind: RawKind::Binary(operator, Box::new(left), Box::new(right)), span };
+    }
+}
+
+fn peek_operator(input: ParseStream) -> Option<Operator> {
+    if input.peek(Token![>>]) {
+        Some(Operator::Sandwich)
+    } else if input.peek(Token![+]) {
+        Some(Operator::Add)
+    } else if input.peek(Token![-]) {
+        Some(Operator::Sub)
+    } else if input.peek(Token![*]) {
+        Some(Operator::Geometric)
+    } else if input.peek(Token![^]) {
+        Some(Operator::Outer)
+    } else if input.peek(Token![&]) {
+        Some(Operator::Regressive)
+    } else if input.peek(Token![|]) {
+        Some(Operator::Inner)
+    } else {
+        None
+    }
+}
+
+fn unary(input: ParseStream) -> syn::Result<RawExpression> {
+    let span = input.span();
+    if input.peek(Token![-]) {
+        input.parse::<Token![-]>()?;
+        return Ok(RawExpression { kind: RawKind::Negate(Box::new(unary(input)?)), span });
+    }
+    if input.peek(Token![~]) {
+        input.parse::<Token![~]>()?;
+        return Ok(RawExpression { kind: RawKind::Reverse(Box::new(unary(input)?)), span });
+    }
+    primary(input)
+}
+
+fn primary(input: ParseStream) -> syn::Result<RawExpression> {
+    let span = input.span();
+    if input.peek(syn::token::Paren) {
+        let content;
+        parenthesized!(content in input);
+        let inner = expression(&content, 0)?;
+        if !content.is_empty() {
+            return Err(content.error("expected an operator or `)`"));
+        }
+        return Ok(inner);
+    }
+    if input.peek(syn::LitFloat) {
+        let literal: syn::LitFloat = input.parse()?;
+        let message = format!("expected a whole number or a quotient of two, found `{literal}`");
+        return Err(syn::Error::new(literal.span(), message));
+    }
+    if input.peek(LitInt) {
+        let number = input.parse::<LitInt>()?.base10_parse()?;
+        return Ok(RawExpression { kind: RawKind::Number(number), span });
+    }
+    let first = name(input, "an expression")?;
+    if input.peek(Token![.]) {
+        input.parse::<Token![.]>()?;
+        let field = name(input, "a field")?;
+        return Ok(RawExpression { kind: RawKind::Field(first.text, field.text), span });
+    }
+    if input.peek(syn::token::Paren) {
+        let content;
+        parenthesized!(content in input);
+        let arguments = content.parse_terminated(|input: ParseStream| expression(input, 0), Token![,])?;
+        return Ok(RawExpression { kind: RawKind::Call(first.text, arguments.into_iter().collect()), span });
+    }
+    Ok(RawExpression { kind: RawKind::Name(first.text), span })
+}
