@@ -36,7 +36,7 @@ impl Errors {
 ///
 /// # Errors
 /// Everything that is wrong with names, arities and relations, combined.
-pub fn lower(items: &[Item]) -> syn::Result<Definition> {
+pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
     let basis = lower_basis(items)?;
     let mut errors = Errors::default();
     let mut definition =
@@ -45,7 +45,8 @@ pub fn lower(items: &[Item]) -> syn::Result<Definition> {
         match item {
             Item::Entity { docs, name, components, relations } => {
                 if definition.entity(&name.text).is_some() {
-                    errors.push(name.span, format!("expected entities with distinct names, found `{}` twice", name.text));
+                    errors
+                        .push(name.span, format!("expected entities with distinct names, found `{}` twice", name.text));
                 }
                 let entity = lower_entity(&definition.basis, docs, name, components, relations, &mut errors);
                 definition.entities.push(entity);
@@ -126,12 +127,14 @@ fn lower_entity(
             (Some(field), _) => ComponentValue::Field(field.text.clone()),
             (None, constant) => ComponentValue::Constant(Rational::integer(constant.unwrap_or(0))),
         };
-        let duplicate = components.iter().any(|other| matches!(value, ComponentValue::Field(_)) && other.value == value);
+        let duplicate =
+            components.iter().any(|other| matches!(value, ComponentValue::Field(_)) && other.value == value);
         if let (true, Some(field)) = (duplicate, &component.field) {
-            let message = format!("expected fields with distinct names in `{}`, found `{}` twice", name.text, field.text);
+            let message =
+                format!("expected fields with distinct names in `{}`, found `{}` twice", name.text, field.text);
             errors.push(field.span, message);
         }
-        components.push(Component { value, blade: named.blade, sign: named.sign });
+        components.push(Component { value, name: named.name.clone(), blade: named.blade, sign: named.sign });
     }
     let mut entity =
         Entity { name: name.text.clone(), docs: docs.to_vec(), components, statements: Vec::new(), span: name.span };
@@ -200,7 +203,8 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
             errors.push(name.span, format!("expected parameters with distinct names, found `{}` twice", name.text));
         }
         if definition.basis.find(&name.text).is_some() {
-            errors.push(name.span, format!("expected a parameter that is not named like a blade, found `{}`", name.text));
+            errors
+                .push(name.span, format!("expected a parameter that is not named like a blade, found `{}`", name.text));
         }
         match find_entity(definition, entity, errors) {
             Some(entity) => parameters.push(Parameter { name: name.text.clone(), entity }),

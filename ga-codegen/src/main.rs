@@ -1,2 +1,9 @@
-//! cli
-fn main(){}
+//! The command line of the generator.
+
+mod cli;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    cli::run()
+}

@@ -14,7 +14,8 @@ use crate::algebra::{Blade, Product};
 use crate::kernel::{Analytic, ComponentValue, Entity, Specification};
 use crate::program::{Domain, Program};
 use crate::symbolic::{
-    Monomial, Multivector, Overflow, Polynomial, Rational, Series, SeriesError, SeriesRing, Symbol, reciprocal_factorial,
+    Monomial, Multivector, Overflow, Polynomial, Rational, Series, SeriesError, SeriesRing, Symbol,
+    reciprocal_factorial,
 };
 use std::fmt;
 
@@ -120,6 +121,25 @@ fn prove_polynomials(specification: &Specification, program: &Program) -> Result
     Ok(Proof::Exact)
 }
 
+/// Proves that a program computes these polynomials of its inputs, identically.
+///
+/// # Errors
+/// The first [`Refutation`].
+pub fn prove_evaluation(program: &Program, polynomials: &[Polynomial], inputs: usize) -> Result<Proof, Refutation> {
+    let inputs: Vec<_> = (0..inputs).map(|symbol| Polynomial::symbol(symbol as Symbol)).collect();
+    let computed = program.evaluate(&PolynomialDomain, &inputs)?;
+    if computed.len() != polynomials.len() {
+        return Err(Refutation::OutputCount);
+    }
+    for (index, (computed, specified)) in computed.iter().zip(polynomials).enumerate() {
+        let difference = computed.sub(specified)?;
+        if !difference.is_zero() {
+            return Err(Refutation::Different(index.to_string(), difference.display(&[])));
+        }
+    }
+    Ok(Proof::Exact)
+}
+
 /// The exponential series of a bivector, and the ring of its coefficients.
 struct Exponential {
     ring: SeriesRing,
@@ -133,7 +153,8 @@ impl Exponential {
         let basis = &specification.basis;
         let constant = |(_, c): (Blade, &Polynomial)| !c.coefficient(&Monomial::default()).is_zero();
         if bivector.terms().any(|(blade, _)| blade.grade() != 2) || bivector.terms().any(constant) {
-            let text = "expected a bivector without constant coefficients as the argument of exp, found another multivector";
+            let text =
+                "expected a bivector without constant coefficients as the argument of exp, found another multivector";
             return Err(Refutation::Undefined(text.to_owned()));
         }
         let square = bivector.product(Product::Geometric, bivector, basis)?.coefficient(Blade::SCALAR).neg();
@@ -241,7 +262,9 @@ fn prove_log(specification: &Specification, program: &Program) -> Result<Proof, 
         return Err(Refutation::Undefined("expected one input of log, found another number".to_owned()));
     };
     if input != &specification.value {
-        return Err(Refutation::Undefined("expected the input itself as the argument of log, found an expression".to_owned()));
+        return Err(Refutation::Undefined(
+            "expected the input itself as the argument of log, found an expression".to_owned(),
+        ));
     }
     let output = &specification.output;
     let names = output.fields().map(|(field, _)| field.to_owned()).collect();

@@ -24,14 +24,14 @@ use crate::preset;
 
 /// A name and where it stands.
 #[derive(Clone, Debug)]
-pub struct Name {
-    pub text: String,
-    pub span: Span,
+pub(crate) struct Name {
+    pub(crate) text: String,
+    pub(crate) span: Span,
 }
 
 /// A part of a definition block.
 #[derive(Clone, Debug)]
-pub enum Item {
+pub(crate) enum Item {
     Signature { span: Span, numbers: [usize; 3] },
     Basis { span: Span, blades: Vec<(Name, Name)> },
     Entity { docs: Vec<String>, name: Name, components: Vec<RawComponent>, relations: Vec<RawRelation> },
@@ -42,40 +42,40 @@ pub enum Item {
 
 /// A component of an entity.
 #[derive(Clone, Debug)]
-pub struct RawComponent {
-    pub field: Option<Name>,
-    pub constant: Option<i64>,
-    pub blade: Name,
+pub(crate) struct RawComponent {
+    pub(crate) field: Option<Name>,
+    pub(crate) constant: Option<i64>,
+    pub(crate) blade: Name,
 }
 
 /// A relation of an entity or a kernel.
 #[derive(Clone, Debug)]
-pub struct RawRelation {
-    pub left: RawExpression,
-    pub right: RawExpression,
-    pub span: Span,
+pub(crate) struct RawRelation {
+    pub(crate) left: RawExpression,
+    pub(crate) right: RawExpression,
+    pub(crate) span: Span,
 }
 
 /// A kernel.
 #[derive(Clone, Debug)]
-pub struct RawKernel {
-    pub docs: Vec<String>,
-    pub name: Name,
-    pub parameters: Vec<(Name, Name)>,
-    pub output: Name,
-    pub expression: RawExpression,
-    pub relations: Vec<RawRelation>,
+pub(crate) struct RawKernel {
+    pub(crate) docs: Vec<String>,
+    pub(crate) name: Name,
+    pub(crate) parameters: Vec<(Name, Name)>,
+    pub(crate) output: Name,
+    pub(crate) expression: RawExpression,
+    pub(crate) relations: Vec<RawRelation>,
 }
 
 /// An expression whose names are not resolved.
 #[derive(Clone, Debug)]
-pub struct RawExpression {
-    pub kind: RawKind,
-    pub span: Span,
+pub(crate) struct RawExpression {
+    pub(crate) kind: RawKind,
+    pub(crate) span: Span,
 }
 
 #[derive(Clone, Debug)]
-pub enum RawKind {
+pub(crate) enum RawKind {
     Name(String),
     Field(String, String),
     Number(i64),
@@ -92,7 +92,7 @@ const KEYWORDS: &str = "`signature`, `basis`, `entity`, `kernel`, `preset`, `sca
 ///
 /// # Errors
 /// Every item that does not parse, combined.
-pub fn parse(tokens: TokenStream) -> syn::Result<Vec<Item>> {
+pub(crate) fn parse(tokens: TokenStream) -> syn::Result<Vec<Item>> {
     let mut items = Vec::new();
     let mut errors: Option<syn::Error> = None;
     for chunk in chunks(tokens) {
@@ -306,7 +306,14 @@ fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
     let output = name(input, "an entity")?;
     input.parse::<Token![=]>()?;
     let expression = expression(input, 0)?;
-    Ok(Item::Kernel(RawKernel { docs, name: kernel_name, parameters, output, expression, relations: relations(input)? }))
+    Ok(Item::Kernel(RawKernel {
+        docs,
+        name: kernel_name,
+        parameters,
+        output,
+        expression,
+        relations: relations(input)?,
+    }))
 }
 
 fn scalar(input: ParseStream) -> syn::Result<Item> {

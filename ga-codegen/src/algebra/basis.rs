@@ -128,8 +128,8 @@ impl Basis {
         for (index, (name, word)) in words.into_iter().enumerate() {
             let (name, word) = (name.into(), word.as_ref());
             let at = |kind| BasisError { index: Some(index), kind };
-            let (sign, blade) = parse_word(signature, word)
-                .ok_or_else(|| at(BasisErrorKind::NotABlade(word.to_owned(), signature)))?;
+            let (sign, blade) =
+                parse_word(signature, word).ok_or_else(|| at(BasisErrorKind::NotABlade(word.to_owned(), signature)))?;
             if let Some(earlier) = blades.get(by_blade[usize::from(blade.0)]) {
                 return Err(at(BasisErrorKind::Repeated(name, earlier.name.clone())));
             }

@@ -212,7 +212,10 @@ fn apply(system: &mut System, extraction: Extraction) {
         }
         Extraction::Common(part) => {
             for row in &mut system.rows {
-                *row = std::mem::take(row).into_iter().map(|(cube, minus)| (replaced(cube, &part, literal), minus)).collect();
+                *row = std::mem::take(row)
+                    .into_iter()
+                    .map(|(cube, minus)| (replaced(cube, &part, literal), minus))
+                    .collect();
             }
             system.rows.push(Row::from([(part, false)]));
         }

@@ -33,11 +33,16 @@ fn check_nilpotent(n: &Multivector, with: &Multivector, specification: &Specific
     if square.is_zero() && left.sub(&right)?.is_zero() {
         return Ok(());
     }
-    no_closed_form("expected a bivector whose square is a scalar plus a nilpotent part that commutes with it, found another")
+    no_closed_form(
+        "expected a bivector whose square is a scalar plus a nilpotent part that commutes with it, found another",
+    )
 }
 
 /// The scalar A in B^2 = -A + N, which must be a sum of squares.
-fn negated_square(bivector: &Multivector, specification: &Specification) -> Result<(Polynomial, Multivector), FactorError> {
+fn negated_square(
+    bivector: &Multivector,
+    specification: &Specification,
+) -> Result<(Polynomial, Multivector), FactorError> {
     let square = mul(bivector, bivector, specification)?;
     let scalar = square.coefficient(Blade::SCALAR);
     let nilpotent = square.sub(&Multivector::scalar(scalar.clone()))?;
@@ -47,13 +52,20 @@ fn negated_square(bivector: &Multivector, specification: &Specification) -> Resu
         !coefficient.is_negative() && monomial.symbols().chunk_by(|x, y| x == y).all(|power| power.len() % 2 == 0)
     });
     if !sum_of_squares {
-        return no_closed_form("expected a bivector whose square is nowhere positive, found one that can be hyperbolic");
+        return no_closed_form(
+            "expected a bivector whose square is nowhere positive, found one that can be hyperbolic",
+        );
     }
     Ok((a, nilpotent))
 }
 
 /// The values of the output fields from a multivector over the inputs and further symbols.
-fn build(value: &Multivector, specification: &Specification, builder: &mut ProgramBuilder, given: &[Value]) -> Result<Vec<Value>, FactorError> {
+fn build(
+    value: &Multivector,
+    specification: &Specification,
+    builder: &mut ProgramBuilder,
+    given: &[Value],
+) -> Result<Vec<Value>, FactorError> {
     let fields = specification.output.fields();
     let polynomials: Vec<_> = fields.map(|(_, c)| oriented(value.coefficient(c.blade), c.sign)).collect();
     Ok(extract(System::new(&polynomials, given.len())?).build(builder, given))

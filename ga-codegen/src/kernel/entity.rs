@@ -18,6 +18,8 @@ pub enum ComponentValue {
 pub struct Component {
     /// The coefficient.
     pub value: ComponentValue,
+    /// The name of the blade.
+    pub name: String,
     /// The blade in ascending order.
     pub blade: Blade,
     /// The orientation of the blade's name.
@@ -60,7 +62,7 @@ impl Entity {
         Self {
             name: Self::SCALAR.to_owned(),
             docs: Vec::new(),
-            components: vec![Component { value, blade: Blade::SCALAR, sign: Sign::Plus }],
+            components: vec![Component { value, name: "1".to_owned(), blade: Blade::SCALAR, sign: Sign::Plus }],
             statements: Vec::new(),
             span: Span::call_site(),
         }

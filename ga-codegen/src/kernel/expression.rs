@@ -199,9 +199,7 @@ fn apply(operator: Operator, a: &Multivector, b: &Multivector, basis: &Basis) ->
         Operator::Outer => a.product(Product::Outer, b, basis),
         Operator::Regressive => a.product(Product::Regressive, b, basis),
         Operator::Inner => a.product(Product::Inner, b, basis),
-        Operator::Sandwich => {
-            a.product(Product::Geometric, b, basis)?.product(Product::Geometric, &a.reverse(), basis)
-        }
+        Operator::Sandwich => a.product(Product::Geometric, b, basis)?.product(Product::Geometric, &a.reverse(), basis),
     }
 }
 

@@ -128,7 +128,8 @@ impl Specification {
         let value = kernel.expression.evaluate(&inputs, &definition.basis)?;
         let output = definition.entities[kernel.output].clone();
         let basis = definition.basis.clone();
-        let specification = Self { coefficients, relations, stated, inputs, analytic: kernel.analytic, value, output, basis };
+        let specification =
+            Self { coefficients, relations, stated, inputs, analytic: kernel.analytic, value, output, basis };
         if specification.analytic.is_none() {
             specification.check_output()?;
         }
@@ -160,7 +161,9 @@ impl Specification {
             if !self.relations.difference(&value, &expected)?.is_zero() {
                 let found = self.relations.normal_form(&value)?.display(&names);
                 return Err(match constant {
-                    Some(constant) => SpecificationError::WrongConstant(named.name.clone(), constant.to_string(), found),
+                    Some(constant) => {
+                        SpecificationError::WrongConstant(named.name.clone(), constant.to_string(), found)
+                    }
                     None => SpecificationError::CannotHold(named.name.clone(), found),
                 });
             }

@@ -98,10 +98,7 @@ fn divisor(raw: &RawExpression) -> syn::Result<Rational> {
 }
 
 /// A relation over named symbols, its text and its place. The first monomial as written is the leading one.
-pub(super) fn relation(
-    raw: &RawRelation,
-    symbols: &BTreeMap<String, Symbol>,
-) -> syn::Result<(Relation, String, Span)> {
+pub(super) fn relation(raw: &RawRelation, symbols: &BTreeMap<String, Symbol>) -> syn::Result<(Relation, String, Span)> {
     let overflow = |error: Overflow| syn::Error::new(raw.span, error);
     let (left, right) = (polynomial(&raw.left, symbols)?, polynomial(&raw.right, symbols)?);
     let difference = left.sub(&right).map_err(overflow)?;
@@ -111,9 +108,9 @@ pub(super) fn relation(
         .filter(|_| first.term_count() == 1)
         .and_then(|leading| Relation::new(difference, leading))
         .ok_or_else(|| {
-            let message = "expected a relation that starts with the monomial to rewrite, such as `s*s == 1 - e12*e12`";
-            syn::Error::new(raw.span, message)
-        })?;
+        let message = "expected a relation that starts with the monomial to rewrite, such as `s*s == 1 - e12*e12`";
+        syn::Error::new(raw.span, message)
+    })?;
     Ok((relation, format!("{} == {}", text(&raw.left, 0), text(&raw.right, 0)), raw.span))
 }
 

@@ -93,7 +93,9 @@ impl SeriesRing {
         polynomial.add_term(Monomial::new(vec![radical, radical]), Rational::MINUS_ONE)?;
         let relation = leading.filter(|_| quadratic).and_then(|leading| Relation::new(polynomial, leading));
         if relation.is_none() && !square.is_zero() {
-            return Err(SeriesError::Undefined("expected a quadratic form with a square in it as a radical".to_owned()));
+            return Err(SeriesError::Undefined(
+                "expected a quadratic form with a square in it as a radical".to_owned(),
+            ));
         }
         let relations: Vec<_> = relation.into_iter().collect();
         let relations = Relations::new(&relations)
@@ -154,7 +156,9 @@ impl SeriesRing {
         mut coefficients: impl FnMut(usize) -> Result<Rational, Overflow>,
     ) -> Result<Series, SeriesError> {
         if !a.constant_term().is_zero() {
-            return Err(SeriesError::Undefined("expected a series without constant term, found one with it".to_owned()));
+            return Err(SeriesError::Undefined(
+                "expected a series without constant term, found one with it".to_owned(),
+            ));
         }
         let mut sum = self.series(&Polynomial::constant(coefficients(0)?))?;
         let mut power = self.series(&Polynomial::one())?;
@@ -240,7 +244,9 @@ impl SeriesRing {
         let mut quotient = Polynomial::zero();
         for (monomial, coefficient) in a.polynomial.terms() {
             let rest = monomial.divided_by(&divisor).ok_or_else(|| {
-                SeriesError::Undefined(format!("expected a series divisible by the radical to the {k}, found one that is not"))
+                SeriesError::Undefined(format!(
+                    "expected a series divisible by the radical to the {k}, found one that is not"
+                ))
             })?;
             quotient.add_term(rest, coefficient)?;
         }
@@ -254,7 +260,9 @@ impl SeriesRing {
     pub fn sqrt(&self, a: &Series) -> Result<Series, SeriesError> {
         let (k, coefficient, unit) = self.leading_power(a)?;
         if k % 2 == 1 || coefficient != Rational::ONE {
-            return Err(SeriesError::Undefined(format!("expected an even power of the radical, found {coefficient} l^{k}")));
+            return Err(SeriesError::Undefined(format!(
+                "expected an even power of the radical, found {coefficient} l^{k}"
+            )));
         }
         let root = self.unit_power(&unit, Rational::new(1, 2)?)?;
         let factor = Polynomial::term(Monomial::new(vec![self.radical; k / 2]), Rational::ONE);

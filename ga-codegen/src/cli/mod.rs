@@ -1,0 +1,70 @@
+//! `ga-codegen report | emit | table`.
+
+mod emit;
+mod report;
+mod source;
+mod table;
+
+use clap::{Parser, Subcommand};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Expands geometric algebra definitions into straight-line Rust and proves every kernel equal to its definition.
+#[derive(Parser)]
+#[command(name = "ga-codegen", version, about, long_about = None)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Prove every kernel of a definition and print what each costs (the default, for `pga3d`).
+    Report {
+        /// A preset (pga3d, pga2d) or a file with a definition block.
+        #[arg(default_value = "pga3d")]
+        source: String,
+        /// Print JSON instead of a table.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Write the Rust of a definition, self-contained unless the definition names a scalar module.
+    Emit {
+        /// A preset (pga3d, pga2d) or a file with a definition block.
+        source: String,
+        /// Only the function of this kernel.
+        #[arg(long, value_name = "NAME")]
+        kernel: Option<String>,
+        /// The file to write; standard output without it.
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
+    /// Print the Cayley table of a product.
+    Table {
+        /// A preset (pga3d, pga2d), a file with a definition block, or a signature p,q,r.
+        source: String,
+        /// The product.
+        #[arg(long, default_value = "geometric", value_parser = table::product)]
+        product: ga_codegen::algebra::Product,
+        /// The format.
+        #[arg(long, value_enum, default_value_t = table::Format::Text)]
+        format: table::Format,
+    },
+}
+
+/// Runs the command line; the exit status is not 0 where anything failed.
+pub(crate) fn run() -> ExitCode {
+    let command = Arguments::parse().command;
+    let result = match command.unwrap_or(Command::Report { source: "pga3d".to_owned(), json: false }) {
+        Command::Report { source, json } => report::run(&source, json),
+        Command::Emit { source, kernel, output } => emit::run(&source, kernel.as_deref(), output.as_deref()),
+        Command::Table { source, product, format } => table::run(&source, product, format),
+    };
+    match result.and_then(|text| source::print(&text)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! Straight-line code from a program: a `let` for what is used more than once, expressions for the rest.
+
+use super::ident;
+use crate::program::{Operation, Program, Value};
+use crate::symbolic::Rational;
+use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+use std::collections::BTreeMap;
+
+/// How tightly an emitted expression binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Negation,
+    Atom,
+}
+
+/// Statements and, for every output, an expression.
+pub(super) struct Body {
+    pub(super) statements: TokenStream,
+    pub(super) outputs: Vec<TokenStream>,
+}
+
+struct Writer<'a> {
+    program: &'a Program,
+    inputs: &'a [TokenStream],
+    constants: BTreeMap<Rational, TokenStream>,
+    reserved: &'a [&'a str],
+    uses: Vec<usize>,
+    names: BTreeMap<Value, Ident>,
+    temporaries: usize,
+    statements: TokenStream,
+}
+
+/// The body of a program whose inputs are these expressions; `reserved` names are not given to temporaries.
+pub(super) fn body(program: &Program, inputs: &[TokenStream], reserved: &[&str]) -> syn::Result<Body> {
+    let mut uses = vec![0; program.operations.len()];
+    let operands = program.operations.iter().flat_map(|operation| operation.operands());
+    operands.chain(program.outputs.iter().copied()).for_each(|value| uses[value] += 1);
+    let constants = constants(program)?;
+    let (names, statements) = (BTreeMap::new(), TokenStream::new());
+    let mut writer = Writer { program, inputs, constants, reserved, uses, names, temporaries: 0, statements };
+    for value in 0..program.operations.len() {
+        writer.name_if_needed(value);
+    }
+    let outputs = program.outputs.iter().map(|&output| writer.expression(output)).collect();
+    Ok(Body { statements: writer.statements, outputs })
+}
+
+/// The expressions of all numbers in a program.
+fn constants(program: &Program) -> syn::Result<BTreeMap<Rational, TokenStream>> {
+    let numbers = program.operations.iter().filter_map(|operation| match operation {
+        Operation::Constant(number) | Operation::Quotient(_, _, number) => Some(*number),
+        _ => None,
+    });
+    numbers.map(|value| Ok((value, number(value)?))).collect()
+}
+
+/// A number as an expression of the scalar type.
+pub(super) fn number(number: Rational) -> syn::Result<TokenStream> {
+    if number.is_zero() {
+        return Ok(quote!(T::ZERO));
+    }
+    if number == Rational::ONE {
+        return Ok(quote!(T::ONE));
+    }
+    let part = |part: i128| {
+        let message = format!("expected constants whose parts fit 32 bits, found {number}");
+        i32::try_from(part).map(Literal::i32_unsuffixed).map_err(|_| syn::Error::new(Span::call_site(), message))
+    };
+    let magnitude = number.abs();
+    let (numerator, denominator) = (part(magnitude.numerator())?, part(magnitude.denominator())?);
+    let minus = number.is_negative().then(|| quote!(-));
+    Ok(quote!(T::from_ratio(#minus #numerator, #denominator)))
+}
+
+impl Writer<'_> {
+    /// Gives a name to what is used twice or doubled, and to what reads better with one.
+    fn name_if_needed(&mut self, value: Value) {
+        let operation = self.program.operations[value];
+        let name = match operation {
+            Operation::Input(_) | Operation::Constant(_) => return,
+            Operation::Sin(angle) | Operation::Cos(angle) => return self.sine_and_cosine(angle),
+            Operation::Sqrt(_) => self.fresh("norm"),
+            Operation::Atan2(..) => self.fresh("angle"),
+            Operation::Quotient(..) => self.fresh("ratio"),
+            _ if self.uses[value] > 1 || self.is_doubled(value) => {
+                self.temporaries += 1;
+                self.fresh(&format!("t{}", self.temporaries - 1))
+            }
+            _ => return,
+        };
+        let expression = self.expression(value);
+        self.statements.extend(quote!(let #name = #expression;));
+        self.names.insert(value, name);
+    }
+
+    fn is_doubled(&self, value: Value) -> bool {
+        self.program.operations.contains(&Operation::Double(value))
+    }
+
+    /// The name, with a number behind it if it is taken.
+    fn fresh(&self, name: &str) -> Ident {
+        let taken = |candidate: &Ident| {
+            self.names.values().any(|other| other == candidate) || self.reserved.iter().any(|r| candidate == r)
+        };
+        let first = format_ident!("{name}");
+        let numbered = (2..).map(|n| format_ident!("{name}_{n}"));
+        std::iter::once(first)
+            .chain(numbered)
+            .find(|candidate| !taken(candidate))
+            .expect("invariant: names do not run out")
+    }
+
+    /// One call for the sine and the cosine of an angle, at the first of the two.
+    fn sine_and_cosine(&mut self, angle: Value) {
+        let find = |wanted: Operation| self.program.operations.iter().position(|operation| *operation == wanted);
+        let parts = [(find(Operation::Sin(angle)), "sin"), (find(Operation::Cos(angle)), "cos")];
+        if parts.iter().any(|(value, _)| value.is_some_and(|value| self.names.contains_key(&value))) {
+            return;
+        }
+        let names = parts.map(|(value, name)| value.map(|value| (value, self.fresh(name))));
+        let pattern =
+            |named: &Option<(Value, Ident)>| named.as_ref().map_or_else(|| quote!(_), |(_, name)| quote!(#name));
+        let (sin, cos, angle) = (pattern(&names[0]), pattern(&names[1]), self.operand(angle, Binding::Atom));
+        self.statements.extend(quote!(let (#sin, #cos) = #angle.sin_cos();));
+        self.names.extend(names.into_iter().flatten());
+    }
+
+    fn binding(&self, value: Value) -> Binding {
+        if self.names.contains_key(&value) {
+            return Binding::Atom;
+        }
+        match self.program.operations[value] {
+            Operation::Add(..) | Operation::Sub(..) | Operation::Double(_) => Binding::Sum,
+            Operation::Mul(..) => Binding::Product,
+            Operation::Neg(_) => Binding::Negation,
+            _ => Binding::Atom,
+        }
+    }
+
+    /// An operand, in parentheses where it binds less tightly than needed.
+    fn operand(&self, value: Value, least: Binding) -> TokenStream {
+        let expression = self.expression(value);
+        if self.binding(value) >= least {
+            return expression;
+        }
+        TokenTree::Group(Group::new(Delimiter::Parenthesis, expression)).into()
+    }
+
+    /// The operands of a commutative operation; the one that would need parentheses on the right stands left.
+    fn commuted(&self, a: Value, b: Value, right: Binding) -> (Value, Value) {
+        if self.binding(b) < right && self.binding(a) >= right { (b, a) } else { (a, b) }
+    }
+
+    fn expression(&self, value: Value) -> TokenStream {
+        if let Some(name) = self.names.get(&value) {
+            return quote!(#name);
+        }
+        match self.program.operations[value] {
+            Operation::Input(index) => self.inputs[index].clone(),
+            Operation::Constant(number) => self.constants[&number].clone(),
+            Operation::Add(a, b) => {
+                let (a, b) = self.commuted(a, b, Binding::Product);
+                let (a, b) = (self.operand(a, Binding::Sum), self.operand(b, Binding::Product));
+                quote!(#a + #b)
+            }
+            Operation::Sub(a, b) => {
+                let (a, b) = (self.operand(a, Binding::Sum), self.operand(b, Binding::Product));
+                quote!(#a - #b)
+            }
+            Operation::Mul(a, b) => {
+                let (a, b) = self.commuted(a, b, Binding::Negation);
+                let (a, b) = (self.operand(a, Binding::Product), self.operand(b, Binding::Negation));
+                quote!(#a * #b)
+            }
+            Operation::Neg(a) => {
+                let a = self.operand(a, Binding::Atom);
+                quote!(-#a)
+            }
+            Operation::Double(a) => {
+                let a = self.operand(a, Binding::Atom);
+                quote!(#a + #a)
+            }
+            Operation::Sqrt(a) => {
+                let a = self.operand(a, Binding::Atom);
+                quote!(#a.sqrt())
+            }
+            Operation::Sin(_) | Operation::Cos(_) => {
+                unreachable!("invariant: sines and cosines are named before they are used")
+            }
+            Operation::Atan2(y, x) => {
+                let (y, x) = (self.operand(y, Binding::Atom), self.expression(x));
+                quote!(#y.atan2(#x))
+            }
+            Operation::Quotient(numerator, denominator, limit) => {
+                let (numerator, denominator) = (self.operand(numerator, Binding::Atom), self.expression(denominator));
+                let limit = &self.constants[&limit];
+                quote!(#numerator.quotient(#denominator, #limit))
+            }
+        }
+    }
+}
+
+/// A field access, or the bare name of a scalar.
+pub(super) fn access(name: &str, field: &str) -> TokenStream {
+    let name = ident(name);
+    if field.is_empty() {
+        return quote!(#name);
+    }
+    let field = ident(field);
+    quote!(#name.#field)
+}

@@ -1,0 +1,74 @@
+//! From proved programs to Rust. The text says nothing that the program does not: operations keep their order and
+//! grouping, so floating-point results are those of the program.
+
+mod body;
+mod entity;
+mod kernel;
+mod operators;
+mod scalar;
+
+use crate::expand::Compiled;
+use crate::kernel::{Definition, Entity, Kernel};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+/// The Rust of a definition: entities, a module `kernels`, operators and conversions; the scalar traits where the
+/// definition names none.
+///
+/// # Errors
+/// A constant that no emitted program can hold.
+pub fn rust(definition: &Definition, compiled: &[Compiled]) -> syn::Result<TokenStream> {
+    let scalar = scalar::module(definition);
+    let entities: Vec<_> = definition
+        .entities
+        .iter()
+        .filter(|entity| !entity.is_scalar())
+        .map(entity::entity)
+        .collect::<syn::Result<_>>()?;
+    let functions = kernels(definition, compiled, None)?;
+    let operators = operators::operators(definition);
+    let export = kernel::export(definition);
+    Ok(quote! {
+        #scalar
+        #(#entities)*
+        /// The kernels: every operation as a function, proved equal to its definition.
+        pub mod kernels {
+            use super::*;
+            #functions
+        }
+        #operators
+        #export
+    })
+}
+
+/// The functions of all kernels, or of the one of that name.
+///
+/// # Errors
+/// A constant that no emitted program can hold.
+pub fn kernels(definition: &Definition, compiled: &[Compiled], only: Option<&str>) -> syn::Result<TokenStream> {
+    let chosen = |kernel: &Kernel| only.is_none_or(|name| kernel.name == name);
+    let pairs = definition.kernels.iter().zip(compiled).filter(|(kernel, _)| chosen(kernel));
+    let functions: Vec<_> = pairs.map(|(k, c)| kernel::function(definition, k, c)).collect::<syn::Result<_>>()?;
+    Ok(quote!(#(#functions)*))
+}
+
+fn ident(name: &str) -> Ident {
+    // A name that is a keyword of Rust becomes a raw identifier.
+    syn::parse_str::<Ident>(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site()))
+}
+
+/// The Rust type of an entity over the scalar `T`.
+fn entity_type(entity: &Entity) -> TokenStream {
+    if entity.is_scalar() {
+        quote!(T)
+    } else {
+        let name = ident(&entity.name);
+        quote!(#name<T>)
+    }
+}
+
+/// Doc attributes, a line each.
+fn doc(lines: &[String]) -> TokenStream {
+    let lines = lines.iter().map(|line| if line.is_empty() { String::new() } else { format!(" {line}") });
+    quote!(#(#[doc = #lines])*)
+}

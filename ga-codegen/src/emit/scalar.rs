@@ -1,0 +1,86 @@
+//! The traits that generated code asks of its scalars, for definitions that do not name a module with their own.
+
+use crate::kernel::Definition;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The import of the named module, or a module `scalar` with the traits and its import.
+pub(super) fn module(definition: &Definition) -> TokenStream {
+    if let Some(path) = &definition.scalar_path {
+        return quote! {
+            use #path::{Real, Scalar};
+        };
+    }
+    let (f32, f64) = (implementation(quote!(f32)), implementation(quote!(f64)));
+    quote! {
+        use self::scalar::{Real, Scalar};
+
+        /// What the generated code asks of its numbers.
+        pub mod scalar {
+            use core::ops::{Add, Div, Mul, Neg, Sub};
+
+            /// A commutative ring of `Copy` values.
+            pub trait Scalar:
+                Copy + PartialEq + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+            {
+                /// 0
+                const ZERO: Self;
+                /// 1
+                const ONE: Self;
+                /// The number `numerator / denominator`, as exact as the type can hold it.
+                fn from_ratio(numerator: i32, denominator: i32) -> Self;
+            }
+
+            /// Real numbers.
+            pub trait Real: Scalar + PartialOrd + Div<Output = Self> {
+                /// The square root.
+                fn sqrt(self) -> Self;
+                /// Sine and cosine of an angle in radians.
+                fn sin_cos(self) -> (Self, Self);
+                /// The angle of the point (x, self) in radians, in (-pi, pi].
+                fn atan2(self, x: Self) -> Self;
+                /// The absolute value.
+                fn abs(self) -> Self;
+                /// Whether the number is neither infinite nor NaN.
+                fn is_finite(self) -> bool;
+                /// `self / denominator`, and `limit` where the denominator is 0.
+                fn quotient(self, denominator: Self, limit: Self) -> Self {
+                    if denominator == Self::ZERO { limit } else { self / denominator }
+                }
+            }
+
+            #f32
+            #f64
+        }
+    }
+}
+
+fn implementation(float: TokenStream) -> TokenStream {
+    quote! {
+        impl Scalar for #float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            fn from_ratio(numerator: i32, denominator: i32) -> Self {
+                numerator as Self / denominator as Self
+            }
+        }
+
+        impl Real for #float {
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
+            fn sin_cos(self) -> (Self, Self) {
+                self.sin_cos()
+            }
+            fn atan2(self, x: Self) -> Self {
+                self.atan2(x)
+            }
+            fn abs(self) -> Self {
+                self.abs()
+            }
+            fn is_finite(self) -> bool {
+                self.is_finite()
+            }
+        }
+    }
+}

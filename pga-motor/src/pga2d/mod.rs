@@ -1,0 +1,5 @@
+//! The plane.
+
+mod algebra;
+
+pub use algebra::*;

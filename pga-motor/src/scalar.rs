@@ -1,0 +1,122 @@
+//! The numbers that motors are made of.
+//!
+//! Polynomial kernels need a ring, [`Scalar`]; norms, angles, exp and log need [`Real`]. Both are implemented for `f32`
+//! and `f64`; `Real` with the feature `std` or `libm`. Anything else that is a ring can be run through the same compiled
+//! kernels: exact rationals, polynomials, intervals, dual numbers.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A commutative ring of `Copy` values.
+pub trait Scalar:
+    Copy + PartialEq + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+{
+    /// 0
+    const ZERO: Self;
+    /// 1
+    const ONE: Self;
+    /// The number `numerator / denominator`, as exact as the type can hold it; `denominator` is not 0.
+    fn from_ratio(numerator: i32, denominator: i32) -> Self;
+}
+
+/// Real numbers, in floating point or better.
+pub trait Real: Scalar + PartialOrd + Div<Output = Self> {
+    /// The distance from 1 to the next larger number.
+    const EPSILON: Self;
+    /// The ratio of a circle's circumference to its diameter.
+    const PI: Self;
+    /// The nearest number.
+    fn from_f64(value: f64) -> Self;
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+    /// The square root; NaN for negative numbers.
+    fn sqrt(self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// The angle of the point (x, self) in radians, in [-pi, pi].
+    fn atan2(self, x: Self) -> Self;
+    /// The absolute value.
+    fn abs(self) -> Self;
+    /// Whether the number is neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+
+    /// `self / denominator`, and `limit` where the denominator is 0: a quotient with a removable singularity.
+    #[inline]
+    fn quotient(self, denominator: Self, limit: Self) -> Self {
+        if denominator == Self::ZERO { limit } else { self / denominator }
+    }
+}
+
+macro_rules! implement_scalar {
+    ($float:ident) => {
+        impl Scalar for $float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            #[inline]
+            fn from_ratio(numerator: i32, denominator: i32) -> Self {
+                (f64::from(numerator) / f64::from(denominator)) as Self
+            }
+        }
+    };
+}
+
+implement_scalar!(f32);
+implement_scalar!(f64);
+
+#[cfg(feature = "std")]
+macro_rules! implement_real {
+    ($float:ident, $sqrt:ident, $sincos:ident, $atan2:ident) => {
+        impl_real_with!($float, |x: $float| x.sqrt(), |x: $float| x.sin_cos(), |y: $float, x: $float| y.atan2(x));
+    };
+}
+
+#[cfg(all(feature = "libm", not(feature = "std")))]
+macro_rules! implement_real {
+    ($float:ident, $sqrt:ident, $sincos:ident, $atan2:ident) => {
+        impl_real_with!($float, libm::$sqrt, libm::$sincos, libm::$atan2);
+    };
+}
+
+#[cfg(any(feature = "std", feature = "libm"))]
+macro_rules! impl_real_with {
+    ($float:ident, $sqrt:expr, $sin_cos:expr, $atan2:expr) => {
+        impl Real for $float {
+            const EPSILON: Self = $float::EPSILON;
+            const PI: Self = core::$float::consts::PI;
+            #[inline]
+            fn from_f64(value: f64) -> Self {
+                value as Self
+            }
+            #[inline]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                $sin_cos(self)
+            }
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                $atan2(self, x)
+            }
+            #[inline]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                $float::is_finite(self)
+            }
+        }
+    };
+}
+
+#[cfg(any(feature = "std", feature = "libm"))]
+mod implementations {
+    use super::Real;
+    implement_real!(f32, sqrtf, sincosf, atan2f);
+    implement_real!(f64, sqrt, sincos, atan2);
+}
