@@ -53,7 +53,7 @@ impl System {
 
     fn append_number(&mut self, literals: &mut Vec<Literal>, mut number: Rational) -> Result<(), Overflow> {
         while number.denominator() == 1 && number.numerator() % 2 == 0 {
-            number = number.mul(Rational::new(1, 2)?)?;
+            number = number.checked_mul(Rational::new(1, 2)?)?;
             literals.push(self.literal(Meaning::Two));
         }
         if number != Rational::ONE {
