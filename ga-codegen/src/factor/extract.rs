@@ -10,7 +10,7 @@ use std::cmp::Reverse;
 use std::collections::HashSet;
 
 /// A sum of cubes of which the first has no minus.
-type Divisor = Row;
+pub(super) type Divisor = Row;
 
 /// A row divided by a cube: the cubes that are left, with their signs.
 struct Quotient {
@@ -20,22 +20,75 @@ struct Quotient {
 }
 
 /// Where a divisor stands: row, factor, sign.
-type Occurrence = (usize, Cube, bool);
+pub(super) type Occurrence = (usize, Cube, bool);
 
-enum Extraction {
+/// What can be made a row of its own.
+pub(super) enum Extraction {
     Kernel(Divisor, Vec<Occurrence>),
     Common(Cube),
 }
 
-/// Extracts until nothing saves an operation.
-pub(super) fn extract(mut system: System) -> System {
-    while let Some(extraction) = best_extraction(&mut system) {
-        apply(&mut system, extraction);
-    }
-    system
+/// Multiplications and additions that an extraction saves.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Saving {
+    pub(super) mul: i64,
+    pub(super) add: i64,
 }
 
-fn best_extraction(system: &mut System) -> Option<Extraction> {
+impl Saving {
+    pub(super) fn flops(self) -> i64 {
+        self.mul + self.add
+    }
+}
+
+/// Decides what is extracted next, of all that can be.
+pub(super) trait Chooser {
+    /// One more possibility; whether it may be chosen, so that its extraction is wanted.
+    fn offer(&mut self, saving: Saving) -> bool;
+    /// The position, among those wanted, of the one to take; forgets them all.
+    fn choose(&mut self) -> Option<usize>;
+}
+
+/// Always the most saving one, the first of equals.
+#[derive(Default)]
+pub(super) struct Greedy {
+    best: i64,
+    wanted: usize,
+}
+
+impl Chooser for Greedy {
+    fn offer(&mut self, saving: Saving) -> bool {
+        let better = saving.flops() > self.best;
+        if better {
+            self.best = saving.flops();
+            self.wanted += 1;
+        }
+        better
+    }
+
+    fn choose(&mut self) -> Option<usize> {
+        self.best = 0;
+        std::mem::take(&mut self.wanted).checked_sub(1)
+    }
+}
+
+/// Extracts the most saving part first.
+pub(super) fn greedy(system: System) -> System {
+    extract(system, &mut Greedy::default())
+}
+
+/// Extracts, as the chooser decides, until nothing saves an operation.
+pub(super) fn extract(mut system: System, chooser: &mut impl Chooser) -> System {
+    loop {
+        let mut wanted = candidates(&mut system, chooser);
+        match chooser.choose() {
+            Some(chosen) => apply(&mut system, wanted.swap_remove(chosen)),
+            None => return system,
+        }
+    }
+}
+
+fn candidates(system: &mut System, chooser: &mut impl Chooser) -> Vec<Extraction> {
     let quotients = quotients(system);
     let mut by_cube: Vec<Vec<usize>> = vec![Vec::new(); system.cubes.count()];
     for (index, quotient) in quotients.iter().enumerate() {
@@ -43,24 +96,22 @@ fn best_extraction(system: &mut System) -> Option<Extraction> {
             by_cube[cube as usize].push(index);
         }
     }
-    let mut best: Option<(i64, Extraction)> = None;
-    let mut offer = |saving: i64, extraction: Extraction| {
-        if saving > best.as_ref().map_or(0, |(saving, _)| *saving) {
-            best = Some((saving, extraction));
-        }
-    };
+    let mut wanted = Vec::new();
     for divisor in divisors(&quotients, &by_cube) {
         let occurrences = occurrences(&divisor, &quotients, &by_cube, &mut system.cubes);
         if occurrences.len() > 1 || occurrences.first().is_some_and(|&(_, cokernel, _)| cokernel != Cubes::ONE) {
-            let saving = kernel_saving(&divisor, &occurrences, &system.cubes);
-            offer(saving, Extraction::Kernel(divisor, occurrences));
+            if chooser.offer(kernel_saving(&divisor, &occurrences, &system.cubes)) {
+                wanted.push(Extraction::Kernel(divisor, occurrences));
+            }
         }
     }
     for (cube, count) in common_cubes(system) {
-        let saving = (count as i64 - 1) * (system.cubes.degree(cube) as i64 - 1);
-        offer(saving, Extraction::Common(cube));
+        let mul = (count as i64 - 1) * (system.cubes.degree(cube) as i64 - 1);
+        if chooser.offer(Saving { mul, add: 0 }) {
+            wanted.push(Extraction::Common(cube));
+        }
     }
-    best.map(|(_, extraction)| extraction)
+    wanted
 }
 
 /// Every row divided by every cube that divides at least two of its terms.
@@ -163,15 +214,16 @@ fn occurrences(
     places
 }
 
-fn kernel_saving(divisor: &Divisor, occurrences: &[Occurrence], cubes: &Cubes) -> i64 {
+fn kernel_saving(divisor: &Divisor, occurrences: &[Occurrence], cubes: &Cubes) -> Saving {
     let (terms, multiplications) = (divisor.len() as i64, |degree: usize| degree.saturating_sub(1) as i64);
-    let own: i64 = divisor.iter().map(|&(cube, _)| multiplications(cubes.degree(cube))).sum::<i64>() + terms - 1;
+    let own: i64 = divisor.iter().map(|&(cube, _)| multiplications(cubes.degree(cube))).sum();
     let saved = |&(_, cokernel, _): &Occurrence| {
         let degree = cubes.degree(cokernel);
         let before: i64 = divisor.iter().map(|&(cube, _)| multiplications(degree + cubes.degree(cube))).sum();
-        before - degree as i64 + terms - 1
+        before - degree as i64
     };
-    occurrences.iter().map(saved).sum::<i64>() - own
+    let mul = occurrences.iter().map(saved).sum::<i64>() - own;
+    Saving { mul, add: (occurrences.len() as i64 - 1) * (terms - 1) }
 }
 
 /// Products of at least two literals that stand at least twice, with how often.

@@ -3,14 +3,16 @@
 
 mod cube;
 mod extract;
+mod search;
+mod starting;
 mod study;
 mod system;
-mod variants;
 
 use crate::algebra::Sign;
 use crate::kernel::{Analytic, Specification};
 use crate::program::{Count, Operation, Program, ProgramBuilder};
 use crate::symbolic::{Overflow, Polynomial};
+pub use search::{CostModel, Search};
 use std::fmt;
 use system::System;
 
@@ -40,9 +42,6 @@ impl fmt::Display for FactorError {
 
 impl std::error::Error for FactorError {}
 
-/// How many of the polynomials that are equal modulo the relations are factored, those cheapest to expand first.
-const STARTING_POINTS: usize = 3;
-
 /// Finds a cheap program for a specification.
 ///
 /// # Errors
@@ -52,13 +51,7 @@ pub fn factor(specification: &Specification) -> Result<Program, FactorError> {
     let inputs: Vec<_> = (0..specification.coefficients.len()).map(|i| builder.push(Operation::Input(i))).collect();
     let outputs = match specification.analytic {
         None => {
-            let mut systems: Vec<_> = variants::variants(specification)?
-                .iter()
-                .map(|outputs| System::new(outputs, inputs.len()))
-                .collect::<Result<_, _>>()?;
-            systems.sort_by_key(System::cost);
-            systems.truncate(STARTING_POINTS);
-            let cheapest = systems.into_iter().map(extract::extract).min_by_key(System::cost);
+            let cheapest = starting::few(specification)?.into_iter().map(extract::greedy).min_by_key(System::cost);
             cheapest.map(|system| system.build(&mut builder, &inputs)).unwrap_or_default()
         }
         Some(Analytic::Exp) => study::exp(specification, &mut builder, &inputs)?,
@@ -74,7 +67,7 @@ pub fn factor(specification: &Specification) -> Result<Program, FactorError> {
 pub fn factor_polynomials(polynomials: &[Polynomial], input_count: usize) -> Result<Program, FactorError> {
     let mut builder = ProgramBuilder::new();
     let inputs: Vec<_> = (0..input_count).map(|i| builder.push(Operation::Input(i))).collect();
-    let outputs = extract::extract(System::new(polynomials, input_count)?).build(&mut builder, &inputs);
+    let outputs = extract::greedy(System::new(polynomials, input_count)?).build(&mut builder, &inputs);
     Ok(builder.finish(&outputs))
 }
 

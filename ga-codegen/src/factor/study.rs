@@ -11,7 +11,7 @@
 //! ```
 //! (Dorst and De Keninck, "A Guided Tour to the Plane-Based Geometric Algebra PGA", 2022, give the same for 3D.)
 
-use super::extract::extract;
+use super::extract::greedy;
 use super::system::System;
 use super::{FactorError, oriented};
 use crate::algebra::{Blade, Product};
@@ -68,7 +68,7 @@ fn build(
 ) -> Result<Vec<Value>, FactorError> {
     let fields = specification.output.fields();
     let polynomials: Vec<_> = fields.map(|(_, c)| oriented(value.coefficient(c.blade), c.sign)).collect();
-    Ok(extract(System::new(&polynomials, given.len())?).build(builder, given))
+    Ok(greedy(System::new(&polynomials, given.len())?).build(builder, given))
 }
 
 /// exp B = C + S N/2 + (S - g N/2) B.
@@ -85,7 +85,7 @@ pub(super) fn exp(
         let third = Polynomial::constant(Rational::new(-1, 3)?);
         (Polynomial::one(), Polynomial::one(), third)
     } else {
-        let square = extract(System::new(&[a], inputs.len())?).build(builder, inputs)[0];
+        let square = greedy(System::new(&[a], inputs.len())?).build(builder, inputs)[0];
         let norm = builder.push(Operation::Sqrt(square));
         let cos = builder.push(Operation::Cos(norm));
         let sin = builder.push(Operation::Sin(norm));
@@ -118,7 +118,7 @@ pub(super) fn log(
     if a.is_zero() {
         return build(&v, specification, builder, inputs);
     }
-    let sources = extract(System::new(&[a, scalar], inputs.len())?).build(builder, inputs);
+    let sources = greedy(System::new(&[a, scalar], inputs.len())?).build(builder, inputs);
     let (square, s) = (sources[0], sources[1]);
     let norm = builder.push(Operation::Sqrt(square));
     let angle = builder.push(Operation::Atan2(norm, s));

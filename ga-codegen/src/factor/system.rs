@@ -36,9 +36,15 @@ pub(super) fn sign_in(row: &Row, cube: Cube) -> Option<bool> {
 impl System {
     /// The system of these polynomials in `given` symbols.
     pub(super) fn new(polynomials: &[Polynomial], given: usize) -> Result<Self, Overflow> {
-        let meanings = (0..given).map(Meaning::Given).collect();
-        let mut system = Self { cubes: Cubes::new(), rows: Vec::new(), meanings, outputs: polynomials.len() };
-        for polynomial in polynomials {
+        Self::staged(polynomials, given, &[])
+    }
+
+    /// The system of `outputs` in `given` symbols and further ones, which stand for the polynomials `rows`, in order.
+    pub(super) fn staged(outputs: &[Polynomial], given: usize, rows: &[Polynomial]) -> Result<Self, Overflow> {
+        let stages = (0..rows.len()).map(|row| Meaning::Row(outputs.len() + row));
+        let meanings = (0..given).map(Meaning::Given).chain(stages).collect();
+        let mut system = Self { cubes: Cubes::new(), rows: Vec::new(), meanings, outputs: outputs.len() };
+        for polynomial in outputs.iter().chain(rows) {
             let mut row = Row::new();
             for (monomial, coefficient) in polynomial.terms() {
                 let mut literals = monomial.symbols().to_vec();
@@ -48,6 +54,7 @@ impl System {
             row.sort_unstable();
             system.rows.push(row);
         }
+        system.drop_dead_rows();
         Ok(system)
     }
 
@@ -69,6 +76,36 @@ impl System {
             self.meanings.push(meaning);
             self.meanings.len() - 1
         }) as Literal
+    }
+
+    /// Empties the rows that no output needs.
+    fn drop_dead_rows(&mut self) {
+        let mut live = vec![false; self.rows.len()];
+        let mut pending: Vec<usize> = (0..self.outputs).collect();
+        while let Some(row) = pending.pop() {
+            if std::mem::replace(&mut live[row], true) {
+                continue;
+            }
+            let literals = self.rows[row].iter().flat_map(|&(cube, _)| self.cubes.literals(cube));
+            pending.extend(literals.filter_map(|&literal| match self.meanings[usize::from(literal)] {
+                Meaning::Row(row) => Some(row),
+                _ => None,
+            }));
+        }
+        for (row, _) in self.rows.iter_mut().zip(live).filter(|(_, live)| !live) {
+            row.clear();
+        }
+    }
+
+    /// Whether another system has the same rows.
+    pub(super) fn same_rows(&self, other: &Self) -> bool {
+        let literals = |system: &Self| -> Vec<Vec<(Vec<Literal>, bool)>> {
+            let term = |&(cube, minus): &(Cube, bool)| (system.cubes.literals(cube).to_vec(), minus);
+            let mut rows: Vec<Vec<_>> = system.rows.iter().map(|row| row.iter().map(term).collect()).collect();
+            rows.iter_mut().for_each(|row: &mut Vec<(Vec<Literal>, bool)>| row.sort_unstable());
+            rows
+        };
+        self.meanings == other.meanings && literals(self) == literals(other)
     }
 
     /// Multiplications and additions, then multiplications, so that the smaller is the better.

@@ -144,10 +144,28 @@ impl Expression {
             ExpressionKind::Quotient(inner, number) => {
                 value(inner)?.scale(Rational::ONE.checked_div(*number)?.ok_or(Overflow)?)
             }
-            ExpressionKind::Binary(operator, a, b) => apply(*operator, &value(a)?, &value(b)?, basis),
+            ExpressionKind::Binary(operator, a, b) => Self::apply(*operator, &value(a)?, &value(b)?, basis),
             ExpressionKind::Call(function, arguments) => {
                 let values: Vec<_> = arguments.iter().map(value).collect::<Result<_, _>>()?;
                 call(*function, &values, basis)
+            }
+        }
+    }
+
+    /// An operator between two multivectors.
+    ///
+    /// # Errors
+    /// [`Overflow`]
+    pub fn apply(operator: Operator, a: &Multivector, b: &Multivector, basis: &Basis) -> Result<Multivector, Overflow> {
+        match operator {
+            Operator::Add => a.add(b),
+            Operator::Sub => a.sub(b),
+            Operator::Geometric => a.product(Product::Geometric, b, basis),
+            Operator::Outer => a.product(Product::Outer, b, basis),
+            Operator::Regressive => a.product(Product::Regressive, b, basis),
+            Operator::Inner => a.product(Product::Inner, b, basis),
+            Operator::Sandwich => {
+                a.product(Product::Geometric, b, basis)?.product(Product::Geometric, &a.reverse(), basis)
             }
         }
     }
@@ -188,18 +206,6 @@ impl Expression {
             ExpressionKind::Negate(_) | ExpressionKind::Reverse(_) => UNARY_PRECEDENCE,
             _ => u8::MAX,
         }
-    }
-}
-
-fn apply(operator: Operator, a: &Multivector, b: &Multivector, basis: &Basis) -> Result<Multivector, Overflow> {
-    match operator {
-        Operator::Add => a.add(b),
-        Operator::Sub => a.sub(b),
-        Operator::Geometric => a.product(Product::Geometric, b, basis),
-        Operator::Outer => a.product(Product::Outer, b, basis),
-        Operator::Regressive => a.product(Product::Regressive, b, basis),
-        Operator::Inner => a.product(Product::Inner, b, basis),
-        Operator::Sandwich => a.product(Product::Geometric, b, basis)?.product(Product::Geometric, &a.reverse(), basis),
     }
 }
 

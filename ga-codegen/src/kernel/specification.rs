@@ -1,6 +1,6 @@
 //! The exact meaning of a kernel: polynomials over the coefficients of its inputs, and what holds between those.
 
-use super::{ComponentValue, Definition, Entity, Kernel};
+use super::{ComponentValue, Definition, Entity, Expression, Kernel};
 use crate::algebra::Basis;
 use crate::symbolic::{Multivector, Overflow, Polynomial, Relation, Relations, RelationsError, Symbol};
 use std::fmt;
@@ -38,7 +38,9 @@ pub struct Specification {
     pub inputs: Vec<Multivector>,
     /// `exp` or `log`, where the kernel is that function of `value`.
     pub analytic: Option<Analytic>,
-    /// The definition expanded, or the argument of the analytic function; not reduced by the relations.
+    /// The definition, or the argument of the analytic function.
+    pub expression: Expression,
+    /// The same expanded, not reduced by the relations.
     pub value: Multivector,
     /// The output type.
     pub output: Entity,
@@ -132,10 +134,20 @@ impl Specification {
         let stated = relations.iter().map(|relation| relation.polynomial().clone()).collect();
         let relations = Relations::new(&relations).map_err(SpecificationError::Relations)?;
         let value = kernel.expression.evaluate(&inputs, &definition.basis)?;
+        let expression = kernel.expression.clone();
         let output = definition.entities[kernel.output].clone();
         let basis = definition.basis.clone();
-        let specification =
-            Self { coefficients, relations, stated, inputs, analytic: kernel.analytic, value, output, basis };
+        let specification = Self {
+            coefficients,
+            relations,
+            stated,
+            inputs,
+            analytic: kernel.analytic,
+            expression,
+            value,
+            output,
+            basis,
+        };
         if specification.analytic.is_none() {
             specification.check_output()?;
         }
