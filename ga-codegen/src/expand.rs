@@ -4,14 +4,20 @@ use crate::emit;
 use crate::factor::{self, factor};
 use crate::kernel::{Definition, Kernel, Specification, SpecificationError};
 use crate::lower::{Errors, lower};
-use crate::program::{Count, Program};
+use crate::program::{CostModel, Count, Program};
 use crate::proof::{Proof, prove};
 use crate::syntax::parse;
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::TokenStream;
 
 /// A kernel with its meaning, its program and the proof that they are the same.
 #[derive(Clone, Debug)]
 pub struct Compiled {
+    /// The kernel, as an index into [`Definition::kernels`].
+    pub kernel: usize,
+    /// What the program is to be cheap in.
+    pub model: CostModel,
+    /// The name of the emitted function.
+    pub name: String,
     /// What it means.
     pub specification: Specification,
     /// What is emitted.
@@ -33,7 +39,9 @@ pub struct Compiled {
 /// item      := "signature" "(" p "," q "," r ")" ";"
 ///            | "basis" ( BLADE | NAME "=" BLADE )* ";"
 ///            | DOC* "entity" NAME "{" component,* "}" ( ";" | "where" relation,+ ";" )?
-///            | DOC* "kernel" NAME "(" ( NAME ":" ENTITY ),* ")" "->" ENTITY "=" expression ( "where" relation,+ )? ";"
+///            | DOC* "kernel" NAME "(" ( NAME ":" ENTITY ),* ")" "->" ENTITY "=" expression ( "where" relation,+ )?
+///                   ( "cost" MODEL,+ )? ";"
+///            | "recipe" KERNEL MODEL "{" ( ROW "=" value ";" )* "}"
 ///            | "preset" NAME ";"       the items of a preset, in place
 ///            | "scalar" PATH ";"       the module that has the traits Scalar and Real; emitted too where it is not given
 ///            | "export" NAME ";"       exports the list of kernels as the macro NAME_kernels
@@ -53,6 +61,10 @@ pub struct Compiled {
 ///   bind as in Rust, the first the tightest; and the functions `dual`, `undual`, `grade(x, k)`, `grade_involution`,
 ///   `clifford_conjugate`, `left_contraction`, `right_contraction`, `scalar_product`, `commutator`, `anticommutator`. `exp` of
 ///   a bivector and `log` of a parameter may stand around the whole definition.
+///
+/// - A cost model is `flops` (the default), `fma` or `latency`, see [`CostModel`]. A kernel is emitted once for each of its
+///   models: under its name for the first, with `_MODEL` behind it for the others.
+/// - A recipe is what a search left behind, a program row by row. Expansion replays and proves it instead of searching.
 ///
 /// # What comes out
 /// A struct for every entity, with what its components and relations allow (a linear type adds, a type with a 1 has an
@@ -76,36 +88,76 @@ pub fn define(input: TokenStream) -> syn::Result<Definition> {
     lower(&parse(input)?)
 }
 
-/// Specifies, factors and proves every kernel of a definition, in its order.
+/// Specifies, factors and proves every kernel of a definition, in its order, once for each of its cost models.
 ///
 /// # Errors
 /// The kernels without meaning, closed form or proof, combined.
 pub fn compile(definition: &Definition) -> syn::Result<Vec<Compiled>> {
     let mut errors = Errors::default();
     let mut compiled = Vec::new();
-    for kernel in &definition.kernels {
-        match compile_kernel(definition, kernel) {
-            Ok(one) => compiled.push(one),
+    for index in 0..definition.kernels.len() {
+        match compile_kernel(definition, index) {
+            Ok(variants) => compiled.extend(variants),
             Err(error) => errors.absorb(error),
         }
     }
     errors.into_result(compiled)
 }
 
-fn compile_kernel(definition: &Definition, kernel: &Kernel) -> syn::Result<Compiled> {
-    let error = |span: Span, message: String| syn::Error::new(span, format!("kernel `{}`: {message}", kernel.name));
-    let specification = Specification::new(definition, kernel).map_err(|found| {
+fn compile_kernel(definition: &Definition, index: usize) -> syn::Result<Vec<Compiled>> {
+    let kernel = &definition.kernels[index];
+    let specification = specify(definition, kernel)?;
+    let expanded = factor::expanded_count(&specification).map_err(|found| at(kernel, found.to_string()))?;
+    let mut variants = Vec::new();
+    for (place, &model) in kernel.models.iter().enumerate() {
+        let (program, proof) = proved_program(definition, kernel, &specification, model)?;
+        let name = if place == 0 { kernel.name.clone() } else { format!("{}_{model}", kernel.name) };
+        let specification = specification.clone();
+        variants.push(Compiled { kernel: index, model, name, specification, program, proof, expanded });
+    }
+    Ok(variants)
+}
+
+/// The meaning of a kernel, errors at the output type where that is to blame.
+fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specification> {
+    Specification::new(definition, kernel).map_err(|found| {
         let span = match &found {
             SpecificationError::CannotHold(..)
             | SpecificationError::WrongConstant(..)
             | SpecificationError::BrokenPromise(..) => kernel.output_span,
             _ => kernel.span,
         };
-        error(span, found.to_string())
-    })?;
-    let program = factor(&specification).map_err(|found| error(kernel.span, found.to_string()))?;
-    let proof = prove(&specification, &program)
-        .map_err(|refutation| error(kernel.span, format!("expected a proof, found a refutation: {refutation}")))?;
-    let expanded = factor::expanded_count(&specification).map_err(|found| error(kernel.span, found.to_string()))?;
-    Ok(Compiled { specification, program, proof, expanded })
+        syn::Error::new(span, format!("kernel `{}`: {found}", kernel.name))
+    })
+}
+
+/// The program of the recipe, if there is one, else the cheapest that is found at once; proved either way.
+fn proved_program(
+    definition: &Definition,
+    kernel: &Kernel,
+    specification: &Specification,
+    model: CostModel,
+) -> syn::Result<(Program, Proof)> {
+    if let Some(recipe) = definition.recipe(&kernel.name, model) {
+        let replayed = factor::replay(specification, recipe).and_then(|program| {
+            let proof = prove(specification, &program).map_err(|refutation| refutation.to_string())?;
+            Ok((program, proof))
+        });
+        return replayed.map_err(|reason| {
+            let name = &kernel.name;
+            let message = format!(
+                "expected a recipe that fits kernel `{name}`, found that {reason}: renew it with `ga-codegen search \
+                 DEFINITION --kernel {name}`"
+            );
+            syn::Error::new(recipe.span, message)
+        });
+    }
+    let program = factor(specification, model).map_err(|found| at(kernel, found.to_string()))?;
+    let proof = prove(specification, &program)
+        .map_err(|refutation| at(kernel, format!("expected a proof, found a refutation: {refutation}")))?;
+    Ok((program, proof))
+}
+
+fn at(kernel: &Kernel, message: String) -> syn::Error {
+    syn::Error::new(kernel.span, format!("kernel `{}`: {message}", kernel.name))
 }

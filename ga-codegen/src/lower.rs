@@ -2,13 +2,15 @@
 //! that several are reported at once.
 
 mod expression;
+mod recipe;
 
 use crate::algebra::{Basis, Signature};
 use crate::kernel::{Component, ComponentValue, Definition, Entity, Kernel, Parameter, Statement};
+use crate::program::{CostModel, Recipe};
 use crate::symbolic::{Rational, Relation, Relations, RelationsError, Symbol};
 use crate::syntax::{Item, Name, RawComponent, RawKernel, RawRelation};
 use expression::Scope;
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenStream};
 use std::collections::BTreeMap;
 
 /// Errors so far.
@@ -39,8 +41,14 @@ impl Errors {
 pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
     let basis = lower_basis(items)?;
     let mut errors = Errors::default();
-    let mut definition =
-        Definition { basis, entities: vec![Entity::scalar()], kernels: Vec::new(), scalar_path: None, export: None };
+    let mut definition = Definition {
+        basis,
+        entities: vec![Entity::scalar()],
+        kernels: Vec::new(),
+        recipes: Vec::new(),
+        scalar_path: None,
+        export: None,
+    };
     for item in items {
         match item {
             Item::Entity { docs, name, components, relations } => {
@@ -53,7 +61,7 @@ pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
             }
             Item::Scalar { path } => definition.scalar_path = Some(path.clone()),
             Item::Export { name } => definition.export = Some(name.text.clone()),
-            Item::Signature { .. } | Item::Basis { .. } | Item::Kernel(_) => {}
+            Item::Signature { .. } | Item::Basis { .. } | Item::Kernel(_) | Item::Recipe { .. } => {}
         }
     }
     let kernels = items.iter().filter_map(|item| if let Item::Kernel(kernel) = item { Some(kernel) } else { None });
@@ -66,7 +74,37 @@ pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
             definition.kernels.push(kernel);
         }
     }
+    for item in items {
+        let Item::Recipe { kernel, model, rows } = item else { continue };
+        match recipe::recipe(kernel, model, rows) {
+            Ok(recipe) => check_recipe(&mut definition, recipe, &mut errors),
+            Err(error) => errors.absorb(error),
+        }
+    }
     errors.into_result(definition)
+}
+
+/// Reads a recipe on its own.
+pub(crate) fn read_recipe(text: &str) -> syn::Result<Recipe> {
+    let tokens: TokenStream = text.parse()?;
+    match crate::syntax::parse(tokens)?.as_slice() {
+        [Item::Recipe { kernel, model, rows }] => recipe::recipe(kernel, model, rows),
+        _ => Err(syn::Error::new(Span::call_site(), "expected one recipe")),
+    }
+}
+
+/// Takes a recipe for a program that the definition asks for, once.
+fn check_recipe(definition: &mut Definition, recipe: Recipe, errors: &mut Errors) {
+    let (name, model) = (&recipe.kernel, recipe.model);
+    let wanted = definition.kernel(name).is_some_and(|kernel| kernel.models.contains(&model));
+    let twice = definition.recipes.iter().any(|other| other.kernel == *name && other.model == model);
+    if !wanted {
+        errors.push(recipe.span, format!("expected a kernel with the cost model {model}, found none named `{name}`"));
+    } else if twice {
+        errors.push(recipe.span, format!("expected one recipe for `{name}` and {model}, found a second"));
+    } else {
+        definition.recipes.push(recipe);
+    }
 }
 
 fn lower_basis(items: &[Item]) -> syn::Result<Basis> {
@@ -224,6 +262,19 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
         }
     };
     let statements = lower_kernel_relations(definition, &parameters, &raw.relations, errors);
+    let mut models = Vec::new();
+    for name in &raw.models {
+        match recipe::cost_model(name) {
+            Ok(model) if models.contains(&model) => {
+                errors.push(name.span, format!("expected distinct cost models, found `{model}` twice"));
+            }
+            Ok(model) => models.push(model),
+            Err(error) => errors.absorb(error),
+        }
+    }
+    if models.is_empty() {
+        models.push(CostModel::default());
+    }
     Some(Kernel {
         name: raw.name.text.clone(),
         docs: raw.docs.clone(),
@@ -232,6 +283,7 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
         analytic,
         expression,
         statements,
+        models,
         span: raw.name.span,
         output_span: raw.output.span,
     })

@@ -6,8 +6,8 @@ pub const NAMES: [&str; 2] = ["pga3d", "pga2d"];
 /// The text of a preset's definition block.
 pub fn text(name: &str) -> Option<&'static str> {
     match name {
-        "pga3d" => Some(include_str!("presets/pga3d.ga")),
-        "pga2d" => Some(include_str!("presets/pga2d.ga")),
+        "pga3d" => Some(concat!(include_str!("presets/pga3d.ga"), include_str!("presets/pga3d.recipes.ga"))),
+        "pga2d" => Some(concat!(include_str!("presets/pga2d.ga"), include_str!("presets/pga2d.recipes.ga"))),
         _ => None,
     }
 }

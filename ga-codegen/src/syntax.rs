@@ -26,6 +26,14 @@ pub(crate) enum Item {
     Kernel(RawKernel),
     Scalar { path: TokenStream },
     Export { name: Name },
+    Recipe { kernel: Name, model: Name, rows: Vec<RawRow> },
+}
+
+/// A row of a recipe: a name, or `out.FIELD`, and its value.
+#[derive(Clone, Debug)]
+pub(crate) struct RawRow {
+    pub(crate) name: String,
+    pub(crate) value: RawExpression,
 }
 
 /// A component of an entity.
@@ -53,6 +61,7 @@ pub(crate) struct RawKernel {
     pub(crate) output: Name,
     pub(crate) expression: RawExpression,
     pub(crate) relations: Vec<RawRelation>,
+    pub(crate) models: Vec<Name>,
 }
 
 /// An expression whose names are not resolved.
@@ -74,7 +83,7 @@ pub(crate) enum RawKind {
     Call(String, Vec<RawExpression>),
 }
 
-const KEYWORDS: &str = "`signature`, `basis`, `entity`, `kernel`, `preset`, `scalar` or `export`";
+const KEYWORDS: &str = "`signature`, `basis`, `entity`, `kernel`, `preset`, `scalar`, `export` or `recipe`";
 
 /// Parses a block into items.
 ///
@@ -134,6 +143,7 @@ fn item(input: ParseStream) -> syn::Result<Vec<Item>> {
         "entity" => return entity(docs, input).map(|item| vec![item]),
         "kernel" => kernel(docs, input)?,
         "scalar" => scalar(input)?,
+        "recipe" => return recipe(input).map(|item| vec![item]),
         "export" => Item::Export { name: name(input, "a name for the exported list of kernels")? },
         "preset" => {
             let items = included(&name(input, "the name of a preset")?)?;
@@ -294,14 +304,29 @@ fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
     let output = name(input, "an entity")?;
     input.parse::<Token![=]>()?;
     let expression = expression(input, 0)?;
-    Ok(Item::Kernel(RawKernel {
-        docs,
-        name: kernel_name,
-        parameters,
-        output,
-        expression,
-        relations: relations(input)?,
-    }))
+    let relations = relations(input)?;
+    let models = models(input)?;
+    Ok(Item::Kernel(RawKernel { docs, name: kernel_name, parameters, output, expression, relations, models }))
+}
+
+/// `cost flops, fma`
+fn models(input: ParseStream) -> syn::Result<Vec<Name>> {
+    let mut models = Vec::new();
+    if input.peek(Token![;]) || input.is_empty() {
+        return Ok(models);
+    }
+    let keyword = any_ident(input, "an operator, `where`, `cost` or `;`")?;
+    if keyword != "cost" {
+        let message = format!("expected an operator, `where`, `cost` or `;`, found `{keyword}`");
+        return Err(syn::Error::new(keyword.span(), message));
+    }
+    loop {
+        models.push(name(input, "a cost model")?);
+        if !input.peek(Token![,]) {
+            return Ok(models);
+        }
+        input.parse::<Token![,]>()?;
+    }
 }
 
 fn scalar(input: ParseStream) -> syn::Result<Item> {
@@ -313,6 +338,24 @@ fn scalar(input: ParseStream) -> syn::Result<Item> {
         return Err(input.error("expected the path of the module with the traits `Scalar` and `Real`"));
     }
     Ok(Item::Scalar { path })
+}
+
+fn recipe(input: ParseStream) -> syn::Result<Item> {
+    let (kernel, model) = (name(input, "the name of a kernel")?, name(input, "a cost model")?);
+    let content;
+    braced!(content in input);
+    let mut rows = Vec::new();
+    while !content.is_empty() {
+        let mut row = name(&content, "the name of a row")?.text;
+        if content.peek(Token![.]) {
+            content.parse::<Token![.]>()?;
+            row = format!("{row}.{}", name(&content, "a field")?.text);
+        }
+        content.parse::<Token![=]>()?;
+        rows.push(RawRow { name: row, value: expression(&content, 0)? });
+        content.parse::<Token![;]>()?;
+    }
+    Ok(Item::Recipe { kernel, model, rows })
 }
 
 /// Binary operators by precedence climbing.

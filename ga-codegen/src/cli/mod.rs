@@ -2,6 +2,7 @@
 
 mod emit;
 mod report;
+mod search;
 mod source;
 mod table;
 
@@ -39,6 +40,21 @@ enum Command {
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
     },
+    /// Look for cheaper programs by many restarts, and write what is found as recipes. Goes on where it was interrupted.
+    Search {
+        /// A preset (pga3d, pga2d) or a file with a definition block.
+        #[arg(default_value = "pga3d")]
+        source: String,
+        /// Only these kernels.
+        #[arg(long, value_name = "NAME")]
+        kernel: Vec<String>,
+        /// Restarts for every kernel and cost model.
+        #[arg(long, default_value_t = 1000)]
+        restarts: u64,
+        /// The file for the recipes; standard output without it. How far the search came stands beside it in *.search.json.
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
     /// Print the Cayley table of a product.
     Table {
         /// A preset (pga3d, pga2d), a file with a definition block, or a signature p,q,r.
@@ -58,6 +74,9 @@ pub(crate) fn run() -> ExitCode {
     let result = match command.unwrap_or(Command::Report { source: "pga3d".to_owned(), json: false }) {
         Command::Report { source, json } => report::run(&source, json),
         Command::Emit { source, kernel, output } => emit::run(&source, kernel.as_deref(), output.as_deref()),
+        Command::Search { source, kernel, restarts, output } => {
+            search::run(&search::Request { source, kernels: kernel, restarts, output })
+        }
         Command::Table { source, product, format } => table::run(&source, product, format),
     };
     match result.and_then(|text| source::print(&text)) {

@@ -11,7 +11,7 @@ use std::time::Instant;
 pub(crate) fn run(source: &str, json: bool) -> Result<String, String> {
     let start = Instant::now();
     let Source { definition, compiled } = compiled(source)?;
-    let pairs: Vec<_> = definition.kernels.iter().zip(&compiled).collect();
+    let pairs: Vec<_> = compiled.iter().map(|compiled| (&definition.kernels[compiled.kernel], compiled)).collect();
     if json {
         let objects: Vec<_> = pairs.iter().map(|(kernel, compiled)| object(&definition, kernel, compiled)).collect();
         let text = serde_json::to_string_pretty(&objects).map_err(|error| format!("error: {error}"))?;
@@ -39,7 +39,7 @@ fn row(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> [String
         emitted += &format!(" {number} {name}");
     }
     let meaning = format!("{} = {}", signature(definition, kernel), kernel.definition());
-    [kernel.name.clone(), meaning, expanded, emitted, compiled.proof.to_string()]
+    [compiled.name.clone(), meaning, expanded, emitted, compiled.proof.to_string()]
 }
 
 /// Left-aligned columns under a header.
@@ -69,7 +69,7 @@ fn object(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> Valu
         "definition": kernel.definition(),
         "inputs": inputs,
         "output": definition.entities[kernel.output].name,
-        "cost_model": "flops",
+        "cost_model": compiled.model.name(),
         "expanded": compiled.expanded.map(|count| json!({ "mul": count.mul, "add": count.add })),
         "emitted": {
             "mul": count.mul,

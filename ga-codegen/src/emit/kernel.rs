@@ -19,7 +19,8 @@ pub(super) fn needs_real(program: &Program) -> bool {
 }
 
 /// The function of a kernel, its definition, assumptions and cost above it.
-pub(super) fn function(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> syn::Result<TokenStream> {
+pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Result<TokenStream> {
+    let kernel = &definition.kernels[compiled.kernel];
     let inputs: Vec<_> = compiled
         .specification
         .coefficients
@@ -47,7 +48,7 @@ pub(super) fn function(definition: &Definition, kernel: &Kernel, compiled: &Comp
         quote!(#name { #(#fields: #outputs),* })
     };
     let (docs, name, statements) =
-        (doc(&documentation(definition, kernel, compiled)), ident(&kernel.name), body.statements);
+        (doc(&documentation(definition, kernel, compiled)), ident(&compiled.name), body.statements);
     let bound = if needs_real(&compiled.program) { quote!(Real) } else { quote!(Scalar) };
     Ok(quote! {
         #docs

@@ -8,7 +8,7 @@ mod operators;
 mod scalar;
 
 use crate::expand::Compiled;
-use crate::kernel::{Definition, Entity, Kernel};
+use crate::kernel::{Definition, Entity};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
@@ -46,9 +46,9 @@ pub fn rust(definition: &Definition, compiled: &[Compiled]) -> syn::Result<Token
 /// # Errors
 /// A constant that no emitted program can hold.
 pub fn kernels(definition: &Definition, compiled: &[Compiled], only: Option<&str>) -> syn::Result<TokenStream> {
-    let chosen = |kernel: &Kernel| only.is_none_or(|name| kernel.name == name);
-    let pairs = definition.kernels.iter().zip(compiled).filter(|(kernel, _)| chosen(kernel));
-    let functions: Vec<_> = pairs.map(|(k, c)| kernel::function(definition, k, c)).collect::<syn::Result<_>>()?;
+    let chosen = |compiled: &&Compiled| only.is_none_or(|name| definition.kernels[compiled.kernel].name == name);
+    let functions = compiled.iter().filter(chosen).map(|compiled| kernel::function(definition, compiled));
+    let functions: Vec<_> = functions.collect::<syn::Result<_>>()?;
     Ok(quote!(#(#functions)*))
 }
 

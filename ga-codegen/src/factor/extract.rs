@@ -83,7 +83,10 @@ pub(super) fn extract(mut system: System, chooser: &mut impl Chooser) -> System 
         let mut wanted = candidates(&mut system, chooser);
         match chooser.choose() {
             Some(chosen) => apply(&mut system, wanted.swap_remove(chosen)),
-            None => return system,
+            None => {
+                system.normalise_signs();
+                return system;
+            }
         }
     }
 }
@@ -99,10 +102,9 @@ fn candidates(system: &mut System, chooser: &mut impl Chooser) -> Vec<Extraction
     let mut wanted = Vec::new();
     for divisor in divisors(&quotients, &by_cube) {
         let occurrences = occurrences(&divisor, &quotients, &by_cube, &mut system.cubes);
-        if occurrences.len() > 1 || occurrences.first().is_some_and(|&(_, cokernel, _)| cokernel != Cubes::ONE) {
-            if chooser.offer(kernel_saving(&divisor, &occurrences, &system.cubes)) {
-                wanted.push(Extraction::Kernel(divisor, occurrences));
-            }
+        let shared = occurrences.len() > 1 || occurrences.first().is_some_and(|place| place.1 != Cubes::ONE);
+        if shared && chooser.offer(kernel_saving(&divisor, &occurrences, &system.cubes)) {
+            wanted.push(Extraction::Kernel(divisor, occurrences));
         }
     }
     for (cube, count) in common_cubes(system) {

@@ -3,6 +3,7 @@
 
 mod cube;
 mod extract;
+mod recipe;
 mod search;
 mod starting;
 mod study;
@@ -10,9 +11,9 @@ mod system;
 
 use crate::algebra::Sign;
 use crate::kernel::{Analytic, Specification};
-use crate::program::{Count, Operation, Program, ProgramBuilder};
+use crate::program::{CostModel, Count, Program, Recipe};
 use crate::symbolic::{Overflow, Polynomial};
-pub use search::{CostModel, Search};
+pub use search::Search;
 use std::fmt;
 use system::System;
 
@@ -42,22 +43,43 @@ impl fmt::Display for FactorError {
 
 impl std::error::Error for FactorError {}
 
-/// Finds a cheap program for a specification.
+/// Finds a cheap program for a specification, without much of a search.
 ///
 /// # Errors
 /// [`FactorError`]
-pub fn factor(specification: &Specification) -> Result<Program, FactorError> {
-    let mut builder = ProgramBuilder::new();
-    let inputs: Vec<_> = (0..specification.coefficients.len()).map(|i| builder.push(Operation::Input(i))).collect();
-    let outputs = match specification.analytic {
+pub fn factor(specification: &Specification, model: CostModel) -> Result<Program, FactorError> {
+    match specification.analytic {
         None => {
-            let cheapest = starting::few(specification)?.into_iter().map(extract::greedy).min_by_key(System::cost);
-            cheapest.map(|system| system.build(&mut builder, &inputs)).unwrap_or_default()
+            let programs = starting::few(specification)?.into_iter().map(|start| extract::greedy(start).program());
+            programs.min_by_key(|program| model.cost(Count::of(program))).ok_or_else(|| {
+                FactorError::NoClosedForm("expected a starting point of the factoriser, found none".to_owned())
+            })
         }
-        Some(Analytic::Exp) => study::exp(specification, &mut builder, &inputs)?,
-        Some(Analytic::Log) => study::log(specification, &mut builder, &inputs)?,
-    };
-    Ok(builder.finish(&outputs))
+        Some(Analytic::Exp) => study::exp(specification),
+        Some(Analytic::Log) => study::log(specification),
+    }
+}
+
+/// The program that a recipe describes, not proved.
+///
+/// # Errors
+/// What does not fit: a name that is neither an input nor an earlier row, or an output that is missing.
+pub fn replay(specification: &Specification, recipe: &Recipe) -> Result<Program, String> {
+    recipe::replay(specification, recipe)
+}
+
+/// The program of a recipe given as text, not proved.
+///
+/// # Errors
+/// Text that is no recipe, or one that does not fit.
+pub fn read_recipe(specification: &Specification, text: &str) -> Result<Program, String> {
+    let recipe = crate::lower::read_recipe(text).map_err(|error| error.to_string())?;
+    replay(specification, &recipe)
+}
+
+/// A program of sums and products as a recipe, in the syntax of a definition block.
+pub fn write_recipe(specification: &Specification, program: &Program, kernel: &str, model: CostModel) -> String {
+    recipe::write(specification, program, kernel, model)
 }
 
 /// The program that evaluates polynomials in the inputs, for what is no kernel: the excess of a type's relations.
@@ -65,10 +87,7 @@ pub fn factor(specification: &Specification) -> Result<Program, FactorError> {
 /// # Errors
 /// [`FactorError`]
 pub fn factor_polynomials(polynomials: &[Polynomial], input_count: usize) -> Result<Program, FactorError> {
-    let mut builder = ProgramBuilder::new();
-    let inputs: Vec<_> = (0..input_count).map(|i| builder.push(Operation::Input(i))).collect();
-    let outputs = extract::greedy(System::new(polynomials, input_count)?).build(&mut builder, &inputs);
-    Ok(builder.finish(&outputs))
+    Ok(extract::greedy(System::new(polynomials, input_count)?).program())
 }
 
 fn oriented(polynomial: Polynomial, sign: Sign) -> Polynomial {

@@ -5,55 +5,12 @@ use super::extract::{Chooser, Saving, extract, greedy};
 use super::starting;
 use super::system::System;
 use crate::kernel::Specification;
-use crate::program::{Count, Operation, Program, ProgramBuilder};
+use crate::program::{CostModel, Count, Program};
 use crate::symbolic::Overflow;
-use std::fmt;
-
-/// What a cheap program is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum CostModel {
-    /// Fewest multiplications and additions, then fewest multiplications.
-    #[default]
-    Flops,
-    /// Fewest instructions where every addition that can is fused with a product, then fewest operations.
-    Fma,
-    /// Fewest operations on the longest way from an input to an output, then fewest operations.
-    Latency,
-}
-
-impl CostModel {
-    /// Every cost model.
-    pub const ALL: [Self; 3] = [Self::Flops, Self::Fma, Self::Latency];
-
-    /// Its name in blocks and reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Flops => "flops",
-            Self::Fma => "fma",
-            Self::Latency => "latency",
-        }
-    }
-
-    /// What is to be as small as possible, in order.
-    pub fn cost(self, count: Count) -> [usize; 4] {
-        match self {
-            Self::Flops => [count.flops(), count.mul, count.fma, count.depth],
-            Self::Fma => [count.fma, count.flops(), count.mul, count.depth],
-            Self::Latency => [count.depth, count.flops(), count.mul, count.fma],
-        }
-    }
-}
-
-impl fmt::Display for CostModel {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
 
 /// A search for the cheapest program of one polynomial kernel. Restart number n does the same on every run.
 pub struct Search {
     starts: Vec<System>,
-    inputs: usize,
     model: CostModel,
     seed: u64,
     best: Option<Program>,
@@ -69,8 +26,7 @@ impl Search {
     /// [`Overflow`]
     pub fn new(specification: &Specification, model: CostModel, name: &str) -> Result<Self, Overflow> {
         let starts = starting::all(specification)?;
-        let inputs = specification.coefficients.len();
-        let mut search = Self { starts, inputs, model, seed: hash(name), best: None };
+        let mut search = Self { starts, model, seed: hash(name), best: None };
         for index in 0..search.starts.len() {
             search.offer(&greedy(search.starts[index].clone()));
         }
@@ -107,10 +63,7 @@ impl Search {
     }
 
     fn offer(&mut self, system: &System) -> bool {
-        let mut builder = ProgramBuilder::new();
-        let inputs: Vec<_> = (0..self.inputs).map(|input| builder.push(Operation::Input(input))).collect();
-        let outputs = system.build(&mut builder, &inputs);
-        self.take(builder.finish(&outputs))
+        self.take(system.program())
     }
 
     fn take(&mut self, program: Program) -> bool {

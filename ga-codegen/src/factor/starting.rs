@@ -5,6 +5,8 @@
 //!   unit norm times the transformed input's own component, and the homogeneous relations (the Study quadric) times its
 //!   dual's: (s^2 + b.b) x - (s^2 + b.b - 1) x has fewer monomials. Groups may differ;
 //! - staged: the inner products of the definition as rows of their own;
+//! - by differences: in a chain of joins or meets of inputs of one type, a & b = a & (b - a) as a & a = 0, and the
+//!   difference of two points of weight 1 has no weight;
 //! - by commutators, for a versor m that the relations make a unit: m x ~m = x + 2 (m × x) ~m with m × x = (mx - xm)/2, and
 //!   a x a = 2 (a ∘ x) a - a² x with a ∘ x = (ax + xa)/2.
 
@@ -40,6 +42,7 @@ pub(super) fn all(specification: &Specification) -> Result<Vec<System>, Overflow
         systems.push(System::new(&outputs, given)?);
     }
     systems.extend(staged(specification)?);
+    systems.extend(by_differences(specification)?);
     systems.extend(by_commutator(specification)?);
     let mut distinct: Vec<System> = Vec::new();
     for system in systems {
@@ -196,6 +199,51 @@ fn staged(specification: &Specification) -> Result<Vec<System>, Overflow> {
     let mut stage = Stage::new(specification);
     let value = stage.evaluate(&specification.expression)?;
     Ok(if stage.rows.is_empty() { Vec::new() } else { vec![stage.finish(&value)?] })
+}
+
+/// The inputs of a chain of one antisymmetric product, in order.
+fn chain(expression: &Expression, operator: Operator) -> Option<Vec<usize>> {
+    match &expression.kind {
+        ExpressionKind::Parameter(index) => Some(vec![*index]),
+        ExpressionKind::Binary(found, a, b) if *found == operator => {
+            Some([chain(a, operator)?, chain(b, operator)?].concat())
+        }
+        _ => None,
+    }
+}
+
+/// a & b & c = a & (b - a) & (c - a), and the same for ^, where the product of an input with itself is 0.
+fn by_differences(specification: &Specification) -> Result<Vec<System>, Overflow> {
+    let mut systems = Vec::new();
+    for operator in [Operator::Regressive, Operator::Outer] {
+        let Some(inputs) = chain(&specification.expression, operator).filter(|inputs| inputs.len() > 1) else {
+            continue;
+        };
+        let input = |index: usize| &specification.inputs[inputs[index]];
+        let first = input(0);
+        if !Expression::apply(operator, first, first, &specification.basis)?.is_zero() {
+            continue;
+        }
+        for materialised in [false, true] {
+            let mut stage = Stage::new(specification);
+            let mut product = first.clone();
+            for index in 1..inputs.len() {
+                let difference = stage.materialise(&input(index).sub(first)?);
+                // Directions first: (b - a) & (c - a) is free of a, which joins it last.
+                product = match (index, materialised) {
+                    (1, _) => difference,
+                    (_, true) => {
+                        let next = Expression::apply(operator, &product, &difference, &specification.basis)?;
+                        stage.materialise(&next)
+                    }
+                    (_, false) => Expression::apply(operator, &product, &difference, &specification.basis)?,
+                };
+            }
+            let value = Expression::apply(operator, first, &product, &specification.basis)?;
+            systems.push(stage.finish(&value)?);
+        }
+    }
+    Ok(systems)
 }
 
 /// m x ~m and ±a x a by commutator and anticommutator, with the inner product as rows and without.

@@ -16,7 +16,7 @@ use super::system::System;
 use super::{FactorError, oriented};
 use crate::algebra::{Blade, Product};
 use crate::kernel::Specification;
-use crate::program::{Operation, ProgramBuilder, Value};
+use crate::program::{Operation, Program, ProgramBuilder, Value};
 use crate::symbolic::{Multivector, Polynomial, Rational, Symbol};
 
 fn no_closed_form<T>(text: &str) -> Result<T, FactorError> {
@@ -59,33 +59,38 @@ fn negated_square(
     Ok((a, nilpotent))
 }
 
-/// The values of the output fields from a multivector over the inputs and further symbols.
+/// A program with nothing but its inputs.
+fn start(specification: &Specification) -> (ProgramBuilder, Vec<Value>) {
+    let mut builder = ProgramBuilder::new();
+    let inputs = (0..specification.coefficients.len()).map(|input| builder.push(Operation::Input(input))).collect();
+    (builder, inputs)
+}
+
+/// The finished program whose output is a multivector over the given values.
 fn build(
     value: &Multivector,
     specification: &Specification,
-    builder: &mut ProgramBuilder,
+    mut builder: ProgramBuilder,
     given: &[Value],
-) -> Result<Vec<Value>, FactorError> {
+) -> Result<Program, FactorError> {
     let fields = specification.output.fields();
     let polynomials: Vec<_> = fields.map(|(_, c)| oriented(value.coefficient(c.blade), c.sign)).collect();
-    Ok(greedy(System::new(&polynomials, given.len())?).build(builder, given))
+    let outputs = greedy(System::new(&polynomials, given.len())?).build(&mut builder, given);
+    Ok(builder.finish(&outputs))
 }
 
 /// exp B = C + S N/2 + (S - g N/2) B.
-pub(super) fn exp(
-    specification: &Specification,
-    builder: &mut ProgramBuilder,
-    inputs: &[Value],
-) -> Result<Vec<Value>, FactorError> {
+pub(super) fn exp(specification: &Specification) -> Result<Program, FactorError> {
+    let (mut builder, inputs) = start(specification);
     let b = &specification.value;
     let (a, nilpotent) = negated_square(b, specification)?;
     let half = nilpotent.scale(Rational::new(1, 2)?)?;
-    let mut given = inputs.to_vec();
+    let mut given = inputs.clone();
     let (c, s, g) = if a.is_zero() {
         let third = Polynomial::constant(Rational::new(-1, 3)?);
         (Polynomial::one(), Polynomial::one(), third)
     } else {
-        let square = greedy(System::new(&[a], inputs.len())?).build(builder, inputs)[0];
+        let square = greedy(System::new(&[a], inputs.len())?).build(&mut builder, &inputs)[0];
         let norm = builder.push(Operation::Sqrt(square));
         let cos = builder.push(Operation::Cos(norm));
         let sin = builder.push(Operation::Sin(norm));
@@ -105,20 +110,17 @@ pub(super) fn exp(
 }
 
 /// log m = (k - h P) V.
-pub(super) fn log(
-    specification: &Specification,
-    builder: &mut ProgramBuilder,
-    inputs: &[Value],
-) -> Result<Vec<Value>, FactorError> {
+pub(super) fn log(specification: &Specification) -> Result<Program, FactorError> {
+    let (mut builder, inputs) = start(specification);
     let m = &specification.value;
     let (scalar, v) = (m.coefficient(Blade::SCALAR), m.grade(2));
     let p = m.sub(&v)?.sub(&Multivector::scalar(scalar.clone()))?;
     check_nilpotent(&p, &v, specification)?;
     let (a, _) = negated_square(&v, specification)?;
     if a.is_zero() {
-        return build(&v, specification, builder, inputs);
+        return build(&v, specification, builder, &inputs);
     }
-    let sources = greedy(System::new(&[a, scalar], inputs.len())?).build(builder, inputs);
+    let sources = greedy(System::new(&[a, scalar], inputs.len())?).build(&mut builder, &inputs);
     let (square, s) = (sources[0], sources[1]);
     let norm = builder.push(Operation::Sqrt(square));
     let angle = builder.push(Operation::Atan2(norm, s));

@@ -1,7 +1,7 @@
 //! Sums of signed products of literals: the form in which common parts are looked for.
 
 use super::cube::{Cube, Cubes, Literal};
-use crate::program::{Operation, ProgramBuilder, Value};
+use crate::program::{Operation, Program, ProgramBuilder, Value};
 use crate::symbolic::{Overflow, Polynomial, Rational};
 
 /// A sum of distinct cubes, ascending; `true` marks a minus.
@@ -114,6 +114,30 @@ impl System {
         let products: usize = degrees.map(|degree| degree.saturating_sub(1)).sum();
         let sums: usize = self.rows.iter().map(|row| row.len().saturating_sub(1)).sum();
         (products + sums, products)
+    }
+
+    /// Turns extracted rows that are all minus around, with everything that uses them.
+    pub(super) fn normalise_signs(&mut self) {
+        for turned in self.outputs..self.rows.len() {
+            if self.rows[turned].is_empty() || self.rows[turned].iter().any(|(_, minus)| !minus) {
+                continue;
+            }
+            let literal = self.literal(Meaning::Row(turned));
+            self.rows[turned].iter_mut().for_each(|(_, minus)| *minus = false);
+            for (cube, minus) in self.rows.iter_mut().flatten() {
+                let power = self.cubes.literals(*cube).iter().filter(|&&other| other == literal).count();
+                *minus ^= power % 2 == 1;
+            }
+        }
+    }
+
+    /// The program of a system whose given values are the inputs.
+    pub(super) fn program(&self) -> Program {
+        let mut builder = ProgramBuilder::new();
+        let given = self.meanings.iter().filter(|meaning| matches!(meaning, Meaning::Given(_))).count();
+        let inputs: Vec<_> = (0..given).map(|input| builder.push(Operation::Input(input))).collect();
+        let outputs = self.build(&mut builder, &inputs);
+        builder.finish(&outputs)
     }
 
     /// Appends the operations of the system to a program; returns the values of the output rows.

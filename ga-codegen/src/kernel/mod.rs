@@ -10,6 +10,7 @@ pub use expression::{Expression, ExpressionKind, Function, Operator};
 pub use specification::{Analytic, Coefficient, Specification, SpecificationError};
 
 use crate::algebra::Basis;
+use crate::program::{CostModel, Recipe};
 use proc_macro2::{Span, TokenStream};
 
 /// An input of a kernel.
@@ -38,6 +39,9 @@ pub struct Kernel {
     pub expression: Expression,
     /// Relations between the inputs beyond those of their types, over the kernel's symbols.
     pub statements: Vec<Statement>,
+    /// What its programs are to be cheap in; the first is emitted under the kernel's name, the others under
+    /// `NAME_MODEL`.
+    pub models: Vec<CostModel>,
     /// Where the name stands.
     pub span: Span,
     /// Where the output type stands.
@@ -66,6 +70,8 @@ pub struct Definition {
     pub entities: Vec<Entity>,
     /// The kernels in the order of the block.
     pub kernels: Vec<Kernel>,
+    /// Programs that were searched for before.
+    pub recipes: Vec<Recipe>,
     /// The path of the module that has the traits `Scalar` and `Real`; where there is none they are emitted too.
     pub scalar_path: Option<TokenStream>,
     /// The name under which the list of kernels is exported as a macro.
@@ -76,6 +82,11 @@ impl Definition {
     /// The kernel of that name.
     pub fn kernel(&self, name: &str) -> Option<&Kernel> {
         self.kernels.iter().find(|kernel| kernel.name == name)
+    }
+
+    /// The recipe for a kernel and a cost model.
+    pub fn recipe(&self, kernel: &str, model: CostModel) -> Option<&Recipe> {
+        self.recipes.iter().find(|recipe| recipe.kernel == kernel && recipe.model == model)
     }
 
     /// The entity of that name.

@@ -1,12 +1,16 @@
 //! Straight-line programs in static single assignment: what is proved, counted and emitted.
 
 mod builder;
+mod cost;
 mod count;
 mod evaluate;
+mod recipe;
 
 pub use builder::ProgramBuilder;
+pub use cost::CostModel;
 pub use count::Count;
 pub use evaluate::{Domain, FloatDomain};
+pub use recipe::{Recipe, RecipeTerm};
 
 use crate::symbolic::Rational;
 
