@@ -157,7 +157,8 @@ impl System {
             return value;
         }
         let mut cubes = self.rows[row].clone();
-        cubes.sort_by_key(|&(cube, _)| self.cubes.literals(cube));
+        // Products come last, so that each can be fused with the addition that takes it.
+        cubes.sort_by_key(|&(cube, _)| (self.cubes.degree(cube) > 1, self.cubes.literals(cube)));
         let mut terms = Vec::new();
         for (cube, minus) in cubes {
             terms.push((minus, self.build_cube(cube, builder, given, built)));
