@@ -16,6 +16,13 @@ pub struct LengthMismatch {
     pub results: usize,
 }
 
+impl LengthMismatch {
+    pub(crate) fn check<P, R>(points: &[P], results: &[R]) -> Result<(), Self> {
+        let (points, results) = (points.len(), results.len());
+        if points == results { Ok(()) } else { Err(Self { points, results }) }
+    }
+}
+
 impl fmt::Display for LengthMismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "expected as many places for results as there are points, {}, found {}", self.points, self.results)
@@ -138,9 +145,7 @@ impl<T: Scalar> Motor<T> {
     /// # Errors
     /// Slices of different lengths; then nothing is written.
     pub fn transform_points(self, points: &[Point<T>], results: &mut [Point<T>]) -> Result<(), LengthMismatch> {
-        if points.len() != results.len() {
-            return Err(LengthMismatch { points: points.len(), results: results.len() });
-        }
+        LengthMismatch::check(points, results)?;
         for (result, point) in results.iter_mut().zip(points) {
             *result = self.transform_point(*point);
         }

@@ -74,7 +74,7 @@ impl<T: Scalar> Direction<T> {
 }
 
 impl<T: Real> Direction<T> {
-    /// The length; exact in range: it overflows or underflows only where the length itself does.
+    /// The length; it overflows or underflows only where the length itself does.
     #[inline]
     pub fn norm(self) -> T {
         magnitude::norm(self.to_array(), |coefficients| kernels::direction_norm_squared(coefficients.into()))
