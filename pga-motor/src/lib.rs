@@ -4,6 +4,8 @@
 
 mod algebra;
 mod even;
+#[cfg(feature = "glam")]
+pub mod interop;
 mod line;
 mod magnitude;
 mod motor;
