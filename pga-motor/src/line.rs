@@ -131,7 +131,8 @@ impl<T: Real> UnitLine<T> {
 
     /// The line through a point; `None` where the direction is 0 or something is not finite.
     pub fn from_point_and_direction(point: Point<T>, direction: Direction<T>) -> Option<Self> {
-        kernels::point_join_direction(point, direction.normalize()?).normalize()
+        let line = kernels::point_join_unit_direction(point, direction.normalize()?);
+        line.is_finite().then_some(line)
     }
 
     /// The distance of a point; never negative.
