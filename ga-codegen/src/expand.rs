@@ -27,6 +27,38 @@ pub struct Compiled {
 /// Nothing unproved is emitted: every program is evaluated back to polynomials or power series and compared with its
 /// definition.
 ///
+/// # Grammar
+/// ```text
+/// block     := item*
+/// item      := "signature" "(" p "," q "," r ")" ";"
+///            | "basis" ( BLADE | NAME "=" BLADE )* ";"
+///            | DOC* "entity" NAME "{" component,* "}" ( ";" | "where" relation,+ ";" )?
+///            | DOC* "kernel" NAME "(" ( NAME ":" ENTITY ),* ")" "->" ENTITY "=" expression ( "where" relation,+ )? ";"
+///            | "preset" NAME ";"       the items of a preset, in place
+///            | "scalar" PATH ";"       the module that has the traits Scalar and Real; emitted too where it is not given
+///            | "export" NAME ";"       exports the list of kernels as the macro NAME_kernels
+/// component := FIELD ":" BLADE | BLADE | NUMBER ":" BLADE
+/// relation  := polynomial "==" polynomial
+/// ```
+/// - A blade is `1` or `e` with the indices of generators: see [`Signature`](crate::algebra::Signature) for their
+///   squares. The basis lists every blade once, in any order and orientation (`e31` is -`e13`), under another name if wanted
+///   (`i = e12`); without it blades are ascending.
+/// - A component is a field of the struct, or a fixed number (`1: e123`, the weight of a point). `Scalar` is the entity
+///   of plain numbers.
+/// - A relation is a polynomial identity between the fields, or in a kernel between `parameter.field`s. It is rewritten at its
+///   first monomial, and all of a kernel's relations must have unique normal forms; where they do not, write another
+///   monomial first.
+/// - Expressions have the operators `~` (reverse) and `-`; `*` (geometric product) and `/` (by a whole number); `+`, `-`; `>>`
+///   (sandwich: `m >> x` is `m * x * ~m`); `&` (regressive product, join); `^` (outer product, meet); `|` (inner product), which
+///   bind as in Rust, the first the tightest; and the functions `dual`, `undual`, `grade(x, k)`, `grade_involution`,
+///   `clifford_conjugate`, `left_contraction`, `right_contraction`, `scalar_product`, `commutator`, `anticommutator`. `exp` of
+///   a bivector and `log` of a parameter may stand around the whole definition.
+///
+/// # What comes out
+/// A struct for every entity, with what its components and relations allow (a linear type adds, a type with a 1 has an
+/// identity); a function for every kernel in a module `kernels`; `impl Mul` and so on for kernels whose definition is an
+/// operator between their two parameters, `impl From` for those whose definition is their parameter.
+///
 /// # Errors
 /// Everything that is wrong with the block, combined, each error at the token to blame: syntax, names, arities,
 /// relations, outputs that cannot hold a result, failed proofs.

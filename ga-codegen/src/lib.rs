@@ -1,4 +1,31 @@
-//! lib
+//! Write a geometric operation once, in geometric algebra; get straight-line Rust at few operations, proved equal to
+//! what you wrote.
+//!
+//! A *definition block* names a signature, a basis, typed multivectors (*entities*) and *kernels*, functions whose
+//! meaning is one expression:
+//!
+//! ```text
+//! signature (2, 0, 0);
+//! basis 1 e1 e2 e12;
+//! entity Vector { x: e1, y: e2 }
+//! entity Rotor { c: 1, s: e12 } where c*c == 1 - s*s;
+//! kernel rotor_transform_vector(r: Rotor, v: Vector) -> Vector = r * v * ~r;
+//! ```
+//!
+//! [`expand`] is the whole way of such a block, a stage a module:
+//! 1. the block is parsed and its names resolved, into a [`kernel::Definition`];
+//! 2. every kernel is expanded to exact polynomials in its inputs' coefficients, a [`kernel::Specification`], with the
+//!    relations that its types promise (the rotor's `c*c == 1 - s*s`);
+//! 3. [`factor`] finds a cheap [`program::Program`];
+//! 4. [`proof`] evaluates that program back to polynomials, or to power series for `exp` and `log`, and compares it with the
+//!    specification modulo the relations. What the output type promises is proved as well;
+//! 5. [`emit`] writes Rust, generic over the scalar.
+//!
+//! A program without proof is a compile error, so whatever step 3 does cannot make the result wrong. The definitions of 2D
+//! and 3D projective geometric algebra come along, see [`preset`]. [`reference`](mod@reference) is a naive multivector that
+//! shares no code with all this, to test against.
+//!
+//! The block's grammar is that of [`expand`].
 
 pub mod algebra;
 pub mod emit;

@@ -1,19 +1,7 @@
-//! The grammar of a definition block, and its parser. Names are resolved later, in `lower`.
+//! The parser of definition blocks. Names are resolved later, in `lower`.
 //!
-//! ```text
-//! block     := item*
-//! item      := "signature" "(" INT "," INT "," INT ")" ";"
-//!            | "basis" ( BLADE | NAME "=" BLADE )* ";"
-//!            | DOC* "entity" NAME "{" component,* "}" ( ";" | "where" relation,+ ";" )?
-//!            | DOC* "kernel" NAME "(" ( NAME ":" ENTITY ),* ")" "->" ENTITY "=" expression ( "where" relation,+ )? ";"
-//!            | "preset" NAME ";"       the items of a preset, in place
-//!            | "scalar" PATH ";"       the module with the traits Scalar and Real
-//!            | "export" NAME ";"       exports the list of kernels as the macro NAME_kernels
-//! component := FIELD ":" BLADE | BLADE | ( "-"? NUMBER ) ":" BLADE
-//! relation  := expression "==" expression
-//! ```
-//! Expressions are those of [`crate::kernel::Operator`], with Rust's precedence, `~` for the reverse, and calls of
-//! named functions. An item that does not parse does not keep the others from being parsed.
+//! The grammar is documented at [`crate::expand`]. An item that does not parse does not keep the others from being
+//! parsed.
 
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};

@@ -15,7 +15,7 @@ pub enum Sign {
 impl Sign {
     /// Minus for odd `count`.
     pub const fn of_parity(count: u32) -> Self {
-        if count % 2 == 0 { Self::Plus } else { Self::Minus }
+        if count.is_multiple_of(2) { Self::Plus } else { Self::Minus }
     }
 
     /// Whether this is -1.

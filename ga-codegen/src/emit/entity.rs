@@ -60,10 +60,12 @@ fn construction(entity: &Entity) -> TokenStream {
         " The caller keeps the promise of the type; [`Self::is_unit`] checks it.".to_owned()
     };
     let text = format!(" The coefficients in the order of the fields.{promise}");
+    let many = (fields.len() > 7).then(|| quote!(#[allow(clippy::too_many_arguments)]));
     quote! {
         impl<T> #name<T> {
             #[doc = #text]
             #[inline]
+            #many
             pub const fn new(#(#fields: T),*) -> Self {
                 Self { #(#fields),* }
             }

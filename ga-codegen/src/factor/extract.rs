@@ -4,12 +4,13 @@
 //! Kernels and co-kernels after Brayton and McMullen (1982); with signs, and applied to polynomials, after Hosangadi,
 //! Fallah and Kastner (2006).
 
-use super::system::{Cube, Literal, Meaning, Row, System};
+use super::cube::{Cube, Cubes};
+use super::system::{Meaning, Row, System, sign_in};
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::HashSet;
 
 /// A sum of cubes of which the first has no minus.
-type Divisor = Vec<(Cube, bool)>;
+type Divisor = Row;
 
 /// A row divided by a cube: the cubes that are left, with their signs.
 struct Quotient {
@@ -28,18 +29,18 @@ enum Extraction {
 
 /// Extracts until nothing saves an operation.
 pub(super) fn extract(mut system: System) -> System {
-    while let Some(extraction) = best_extraction(&system) {
+    while let Some(extraction) = best_extraction(&mut system) {
         apply(&mut system, extraction);
     }
     system
 }
 
-fn best_extraction(system: &System) -> Option<Extraction> {
+fn best_extraction(system: &mut System) -> Option<Extraction> {
     let quotients = quotients(system);
-    let mut by_cube: BTreeMap<&Cube, Vec<usize>> = BTreeMap::new();
+    let mut by_cube: Vec<Vec<usize>> = vec![Vec::new(); system.cubes.count()];
     for (index, quotient) in quotients.iter().enumerate() {
-        for cube in quotient.rest.keys() {
-            by_cube.entry(cube).or_default().push(index);
+        for &(cube, _) in &quotient.rest {
+            by_cube[cube as usize].push(index);
         }
     }
     let mut best: Option<(i64, Extraction)> = None;
@@ -49,182 +50,185 @@ fn best_extraction(system: &System) -> Option<Extraction> {
         }
     };
     for divisor in divisors(&quotients, &by_cube) {
-        let occurrences = occurrences(&divisor, &quotients, &by_cube);
-        if occurrences.len() > 1 || occurrences.first().is_some_and(|(_, cokernel, _)| !cokernel.is_empty()) {
-            offer(kernel_saving(&divisor, &occurrences), Extraction::Kernel(divisor, occurrences));
+        let occurrences = occurrences(&divisor, &quotients, &by_cube, &mut system.cubes);
+        if occurrences.len() > 1 || occurrences.first().is_some_and(|&(_, cokernel, _)| cokernel != Cubes::ONE) {
+            let saving = kernel_saving(&divisor, &occurrences, &system.cubes);
+            offer(saving, Extraction::Kernel(divisor, occurrences));
         }
     }
     for (cube, count) in common_cubes(system) {
-        offer((count as i64 - 1) * (cube.len() as i64 - 1), Extraction::Common(cube));
+        let saving = (count as i64 - 1) * (system.cubes.degree(cube) as i64 - 1);
+        offer(saving, Extraction::Common(cube));
     }
     best.map(|(_, extraction)| extraction)
 }
 
 /// Every row divided by every cube that divides at least two of its terms.
-fn quotients(system: &System) -> Vec<Quotient> {
+fn quotients(system: &mut System) -> Vec<Quotient> {
     let mut quotients = Vec::new();
     for (row, terms) in system.rows.iter().enumerate() {
-        let mut by_cokernel: BTreeMap<Cube, Row> = BTreeMap::new();
-        for (cube, &minus) in terms {
-            for (part, rest) in splits(cube) {
-                by_cokernel.entry(part).or_default().insert(rest, minus);
-            }
+        let mut parts: Vec<(Cube, Cube, bool)> = Vec::new();
+        for &(cube, minus) in terms {
+            parts.extend(system.cubes.splits(cube).into_iter().map(|(part, rest)| (part, rest, minus)));
         }
-        let shared = by_cokernel.into_iter().filter(|(_, rest)| rest.len() > 1);
-        quotients.extend(shared.map(|(cokernel, rest)| Quotient { row, cokernel, rest }));
+        parts.sort_unstable();
+        for group in parts.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() > 1) {
+            let rest = group.iter().map(|&(_, rest, minus)| (rest, minus)).collect();
+            quotients.push(Quotient { row, cokernel: group[0].0, rest });
+        }
     }
     quotients
 }
 
-/// Every way to write a cube as a product of two, each once.
-fn splits(cube: &Cube) -> BTreeSet<(Cube, Cube)> {
-    (0..1u32 << cube.len().min(16))
-        .map(|mask| {
-            let (mut part, mut rest) = (Cube::new(), Cube::new());
-            for (position, &literal) in cube.iter().enumerate() {
-                if position < 16 && mask >> position & 1 == 1 { part.push(literal) } else { rest.push(literal) }
-            }
-            (part, rest)
-        })
-        .collect()
-}
-
-/// Whole quotients, and what two of them share up to sign.
-fn divisors(quotients: &[Quotient], by_cube: &BTreeMap<&Cube, Vec<usize>>) -> BTreeSet<Divisor> {
-    let mut found = BTreeSet::new();
-    for quotient in quotients.iter().filter(|quotient| !quotient.cokernel.is_empty()) {
-        found.insert(canonical(quotient.rest.iter().map(|(cube, &minus)| (cube.clone(), minus)).collect()));
-    }
-    let mut shared: BTreeMap<(usize, usize), u32> = BTreeMap::new();
-    for indices in by_cube.values() {
-        for (position, &a) in indices.iter().enumerate() {
-            for &b in &indices[position + 1..] {
-                *shared.entry((a, b)).or_default() += 1;
+/// Whole quotients, and what two of them share up to sign; each once, in a fixed order.
+fn divisors(quotients: &[Quotient], by_cube: &[Vec<usize>]) -> Vec<Divisor> {
+    let (mut known, mut found) = (HashSet::new(), Vec::new());
+    let mut add = |mut divisor: Divisor| {
+        if divisor[0].1 {
+            divisor.iter_mut().for_each(|(_, minus)| *minus = !*minus);
+        }
+        if known.insert(divisor.clone()) {
+            found.push(divisor);
+        }
+    };
+    let mut shared = vec![0u32; quotients.len()];
+    let mut partners = Vec::new();
+    for (index, quotient) in quotients.iter().enumerate() {
+        if quotient.cokernel != Cubes::ONE {
+            add(quotient.rest.clone());
+        }
+        for &(cube, _) in &quotient.rest {
+            for &partner in by_cube[cube as usize].iter().rev().take_while(|&&partner| partner > index) {
+                if shared[partner] == 0 {
+                    partners.push(partner);
+                }
+                shared[partner] += 1;
             }
         }
-    }
-    for (a, b) in shared.into_iter().filter(|&(_, count)| count > 1).map(|(pair, _)| pair) {
-        let (mut same, mut opposite) = (Divisor::new(), Divisor::new());
-        for (cube, &minus) in &quotients[a].rest {
-            match quotients[b].rest.get(cube) {
-                Some(&other) if other == minus => same.push((cube.clone(), minus)),
-                Some(_) => opposite.push((cube.clone(), minus)),
-                None => {}
+        for partner in partners.drain(..) {
+            if std::mem::take(&mut shared[partner]) > 1 {
+                let (same, opposite) = intersection(&quotient.rest, &quotients[partner].rest);
+                [same, opposite].into_iter().filter(|terms| terms.len() > 1).for_each(&mut add);
             }
         }
-        found.extend([same, opposite].into_iter().filter(|terms| terms.len() > 1).map(canonical));
     }
     found
 }
 
-fn canonical(mut divisor: Divisor) -> Divisor {
-    if divisor[0].1 {
-        divisor.iter_mut().for_each(|(_, minus)| *minus = !*minus);
+/// The cubes of `a` that `b` has too, with the same sign and with the opposite one.
+fn intersection(a: &Row, b: &Row) -> (Row, Row) {
+    let (mut same, mut opposite, mut position) = (Row::new(), Row::new(), 0);
+    for &(cube, minus) in a {
+        while position < b.len() && b[position].0 < cube {
+            position += 1;
+        }
+        if position < b.len() && b[position].0 == cube {
+            if b[position].1 == minus { same.push((cube, minus)) } else { opposite.push((cube, minus)) }
+        }
     }
-    divisor
+    (same, opposite)
 }
 
 /// The places where a divisor stands, no term used twice, those with the longest factor first.
-fn occurrences(divisor: &Divisor, quotients: &[Quotient], by_cube: &BTreeMap<&Cube, Vec<usize>>) -> Vec<Occurrence> {
+fn occurrences(
+    divisor: &Divisor,
+    quotients: &[Quotient],
+    by_cube: &[Vec<usize>],
+    cubes: &mut Cubes,
+) -> Vec<Occurrence> {
     let mut places: Vec<Occurrence> = Vec::new();
-    for &index in by_cube.get(&divisor[0].0).into_iter().flatten() {
+    for &index in &by_cube[divisor[0].0 as usize] {
         let quotient = &quotients[index];
-        let Some(&first) = quotient.rest.get(&divisor[0].0) else { continue };
-        if divisor.iter().all(|(cube, minus)| quotient.rest.get(cube) == Some(&(*minus != first))) {
-            places.push((quotient.row, quotient.cokernel.clone(), first));
+        if quotient.rest.len() >= divisor.len()
+            && let Some(first) = sign_in(&quotient.rest, divisor[0].0)
+            && divisor.iter().all(|&(cube, minus)| sign_in(&quotient.rest, cube) == Some(minus != first))
+        {
+            places.push((quotient.row, quotient.cokernel, first));
         }
     }
-    places.sort_by_key(|(row, cokernel, _)| (Reverse(cokernel.len()), *row));
-    let mut used = BTreeSet::new();
-    places.retain(|(row, cokernel, _)| {
-        let terms: Vec<_> = divisor.iter().map(|(cube, _)| (*row, product(cokernel, cube))).collect();
-        let free = terms.iter().all(|term| !used.contains(term));
-        if free {
-            used.extend(terms);
+    places.sort_by_key(|&(row, cokernel, _)| (Reverse(cubes.degree(cokernel)), row));
+    let mut used: Vec<(usize, Cube)> = Vec::new();
+    places.retain(|&(row, cokernel, _)| {
+        let before = used.len();
+        for &(cube, _) in divisor {
+            let term = (row, cubes.product(cokernel, cube));
+            if used.contains(&term) {
+                used.truncate(before);
+                return false;
+            }
+            used.push(term);
         }
-        free
+        true
     });
     places
 }
 
-fn product(a: &Cube, b: &Cube) -> Cube {
-    let mut product = [a.as_slice(), b.as_slice()].concat();
-    product.sort_unstable();
-    product
-}
-
-fn kernel_saving(divisor: &Divisor, occurrences: &[Occurrence]) -> i64 {
-    let (terms, multiplications) = (divisor.len() as i64, |length: usize| length.saturating_sub(1) as i64);
-    let own: i64 = divisor.iter().map(|(cube, _)| multiplications(cube.len())).sum::<i64>() + terms - 1;
-    let saved = |(_, cokernel, _): &Occurrence| {
-        let before: i64 = divisor.iter().map(|(cube, _)| multiplications(cokernel.len() + cube.len())).sum();
-        before - cokernel.len() as i64 + terms - 1
+fn kernel_saving(divisor: &Divisor, occurrences: &[Occurrence], cubes: &Cubes) -> i64 {
+    let (terms, multiplications) = (divisor.len() as i64, |degree: usize| degree.saturating_sub(1) as i64);
+    let own: i64 = divisor.iter().map(|&(cube, _)| multiplications(cubes.degree(cube))).sum::<i64>() + terms - 1;
+    let saved = |&(_, cokernel, _): &Occurrence| {
+        let degree = cubes.degree(cokernel);
+        let before: i64 = divisor.iter().map(|&(cube, _)| multiplications(degree + cubes.degree(cube))).sum();
+        before - degree as i64 + terms - 1
     };
     occurrences.iter().map(saved).sum::<i64>() - own
 }
 
 /// Products of at least two literals that stand at least twice, with how often.
-fn common_cubes(system: &System) -> Vec<(Cube, usize)> {
-    let cubes: Vec<&Cube> = system.rows.iter().flat_map(BTreeMap::keys).collect();
-    let parts = cubes.iter().flat_map(|cube| splits(cube)).map(|(part, _)| part).filter(|part| part.len() > 1);
-    let mut distinct: BTreeMap<Cube, usize> = BTreeMap::new();
-    for part in parts {
-        *distinct.entry(part).or_default() += 1;
+fn common_cubes(system: &mut System) -> Vec<(Cube, usize)> {
+    let terms: Vec<Cube> = system.rows.iter().flatten().map(|&(cube, _)| cube).collect();
+    let mut parts: Vec<(Cube, Cube)> = Vec::new();
+    for &term in &terms {
+        let splits = system.cubes.splits(term);
+        parts.extend(splits.into_iter().map(|(part, _)| (part, term)));
     }
-    let repeats = |cube: &&Cube, part: &Cube| {
-        let (mut count, mut rest) = (0, Some((*cube).clone()));
-        while let Some(smaller) = rest.as_ref().and_then(|rest| quotient(rest, part)) {
-            (count, rest) = (count + 1, Some(smaller));
+    parts.retain(|&(part, _)| system.cubes.degree(part) > 1);
+    parts.sort_unstable();
+    let mut counted = Vec::new();
+    for group in parts.chunk_by(|a, b| a.0 == b.0) {
+        let part = group[0].0;
+        let count = group.iter().map(|&(_, term)| multiplicity(&mut system.cubes, term, part)).sum();
+        if count > 1 {
+            counted.push((part, count));
         }
-        count
-    };
-    let counted = distinct.into_keys().map(|part| {
-        let count = cubes.iter().map(|cube| repeats(cube, &part)).sum();
-        (part, count)
-    });
-    counted.filter(|&(_, count)| count > 1).collect()
+    }
+    counted
 }
 
-fn quotient(cube: &[Literal], divisor: &[Literal]) -> Option<Cube> {
-    let (mut rest, mut wanted) = (Cube::new(), divisor.iter().peekable());
-    for literal in cube {
-        if wanted.peek() == Some(&literal) {
-            wanted.next();
-        } else {
-            rest.push(*literal);
-        }
+/// How often a cube divides another.
+fn multiplicity(cubes: &mut Cubes, term: Cube, part: Cube) -> usize {
+    let (mut count, mut rest) = (0, term);
+    while let Some(smaller) = cubes.quotient(rest, part) {
+        (count, rest) = (count + 1, smaller);
     }
-    wanted.peek().is_none().then_some(rest)
+    count
 }
 
 fn apply(system: &mut System, extraction: Extraction) {
     let new_row = system.rows.len();
     let literal = system.literal(Meaning::Row(new_row));
+    let literal = system.cubes.cube(vec![literal]);
     match extraction {
         Extraction::Kernel(divisor, occurrences) => {
             for (row, cokernel, minus) in occurrences {
-                for (cube, _) in &divisor {
-                    system.rows[row].remove(&product(&cokernel, cube));
-                }
-                system.rows[row].insert(product(&cokernel, &vec![literal]), minus);
+                let replaced: Vec<_> = divisor.iter().map(|&(cube, _)| system.cubes.product(cokernel, cube)).collect();
+                system.rows[row].retain(|(cube, _)| !replaced.contains(cube));
+                let product = system.cubes.product(cokernel, literal);
+                system.rows[row].push((product, minus));
+                system.rows[row].sort_unstable();
             }
-            system.rows.push(divisor.into_iter().collect());
+            system.rows.push(divisor);
         }
         Extraction::Common(part) => {
             for row in &mut system.rows {
-                *row = std::mem::take(row)
-                    .into_iter()
-                    .map(|(cube, minus)| (replaced(cube, &part, literal), minus))
-                    .collect();
+                for (cube, _) in row.iter_mut() {
+                    while let Some(rest) = system.cubes.quotient(*cube, part) {
+                        *cube = system.cubes.product(rest, literal);
+                    }
+                }
+                row.sort_unstable();
             }
-            system.rows.push(Row::from([(part, false)]));
+            system.rows.push(vec![(part, false)]);
         }
     }
-}
-
-fn replaced(mut cube: Cube, part: &[Literal], literal: Literal) -> Cube {
-    while let Some(rest) = quotient(&cube, part) {
-        cube = product(&rest, &vec![literal]);
-    }
-    cube
 }

@@ -1,6 +1,7 @@
 //! From a specification to a cheap program. Nothing here is trusted: whatever comes out is proved before it is emitted,
 //! so this part may be as clever as it likes.
 
+mod cube;
 mod extract;
 mod study;
 mod system;
@@ -39,6 +40,9 @@ impl fmt::Display for FactorError {
 
 impl std::error::Error for FactorError {}
 
+/// How many of the polynomials that are equal modulo the relations are factored, those cheapest to expand first.
+const STARTING_POINTS: usize = 3;
+
 /// Finds a cheap program for a specification.
 ///
 /// # Errors
@@ -48,12 +52,13 @@ pub fn factor(specification: &Specification) -> Result<Program, FactorError> {
     let inputs: Vec<_> = (0..specification.coefficients.len()).map(|i| builder.push(Operation::Input(i))).collect();
     let outputs = match specification.analytic {
         None => {
-            let cheapest = variants::variants(specification)?
-                .into_iter()
-                .map(|outputs| Ok(extract::extract(System::new(&outputs, inputs.len())?)))
-                .collect::<Result<Vec<_>, Overflow>>()?
-                .into_iter()
-                .min_by_key(System::cost);
+            let mut systems: Vec<_> = variants::variants(specification)?
+                .iter()
+                .map(|outputs| System::new(outputs, inputs.len()))
+                .collect::<Result<_, _>>()?;
+            systems.sort_by_key(System::cost);
+            systems.truncate(STARTING_POINTS);
+            let cheapest = systems.into_iter().map(extract::extract).min_by_key(System::cost);
             cheapest.map(|system| system.build(&mut builder, &inputs)).unwrap_or_default()
         }
         Some(Analytic::Exp) => study::exp(specification, &mut builder, &inputs)?,

@@ -1,17 +1,11 @@
 //! Sums of signed products of literals: the form in which common parts are looked for.
 
+use super::cube::{Cube, Cubes, Literal};
 use crate::program::{Operation, ProgramBuilder, Value};
 use crate::symbolic::{Overflow, Polynomial, Rational};
-use std::collections::BTreeMap;
 
-/// A factor of a product, by its index into [`System::meanings`].
-pub(super) type Literal = u16;
-
-/// A product of literals, ascending, with repetition.
-pub(super) type Cube = Vec<Literal>;
-
-/// A sum of distinct cubes; `true` marks a minus.
-pub(super) type Row = BTreeMap<Cube, bool>;
+/// A sum of distinct cubes, ascending; `true` marks a minus.
+pub(super) type Row = Vec<(Cube, bool)>;
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Meaning {
@@ -28,37 +22,43 @@ pub(super) enum Meaning {
 /// Output rows first, then extracted ones.
 #[derive(Clone, Debug)]
 pub(super) struct System {
-    pub(super) meanings: Vec<Meaning>,
+    pub(super) cubes: Cubes,
     pub(super) rows: Vec<Row>,
+    meanings: Vec<Meaning>,
     outputs: usize,
+}
+
+/// The sign of a cube in a row, if it is there.
+pub(super) fn sign_in(row: &Row, cube: Cube) -> Option<bool> {
+    row.binary_search_by_key(&cube, |&(other, _)| other).ok().map(|position| row[position].1)
 }
 
 impl System {
     /// The system of these polynomials in `given` symbols.
     pub(super) fn new(polynomials: &[Polynomial], given: usize) -> Result<Self, Overflow> {
-        let meanings = (0..given).map(Meaning::Given).chain([Meaning::Two]).collect();
-        let mut system = Self { meanings, rows: Vec::new(), outputs: polynomials.len() };
+        let meanings = (0..given).map(Meaning::Given).collect();
+        let mut system = Self { cubes: Cubes::new(), rows: Vec::new(), meanings, outputs: polynomials.len() };
         for polynomial in polynomials {
             let mut row = Row::new();
             for (monomial, coefficient) in polynomial.terms() {
-                let mut cube = monomial.symbols().to_vec();
-                system.append_number(&mut cube, coefficient.abs())?;
-                row.insert(cube, coefficient.is_negative());
+                let mut literals = monomial.symbols().to_vec();
+                system.append_number(&mut literals, coefficient.abs())?;
+                row.push((system.cubes.cube(literals), coefficient.is_negative()));
             }
+            row.sort_unstable();
             system.rows.push(row);
         }
         Ok(system)
     }
 
-    fn append_number(&mut self, cube: &mut Cube, mut number: Rational) -> Result<(), Overflow> {
+    fn append_number(&mut self, literals: &mut Vec<Literal>, mut number: Rational) -> Result<(), Overflow> {
         while number.denominator() == 1 && number.numerator() % 2 == 0 {
-            number = number.mul(Rational::new(1, 2)?)?;
-            cube.push(self.literal(Meaning::Two));
+            number = number.checked_mul(Rational::new(1, 2)?)?;
+            literals.push(self.literal(Meaning::Two));
         }
         if number != Rational::ONE {
-            cube.push(self.literal(Meaning::Constant(number)));
+            literals.push(self.literal(Meaning::Constant(number)));
         }
-        cube.sort_unstable();
         Ok(())
     }
 
@@ -73,7 +73,8 @@ impl System {
 
     /// Multiplications and additions, then multiplications, so that the smaller is the better.
     pub(super) fn cost(&self) -> (usize, usize) {
-        let products: usize = self.rows.iter().flat_map(BTreeMap::keys).map(|cube| cube.len().saturating_sub(1)).sum();
+        let degrees = self.rows.iter().flatten().map(|&(cube, _)| self.cubes.degree(cube));
+        let products: usize = degrees.map(|degree| degree.saturating_sub(1)).sum();
         let sums: usize = self.rows.iter().map(|row| row.len().saturating_sub(1)).sum();
         (products + sums, products)
     }
@@ -94,8 +95,10 @@ impl System {
         if let Some(value) = built[row] {
             return value;
         }
+        let mut cubes = self.rows[row].clone();
+        cubes.sort_by_key(|&(cube, _)| self.cubes.literals(cube));
         let mut terms = Vec::new();
-        for (cube, &minus) in &self.rows[row] {
+        for (cube, minus) in cubes {
             terms.push((minus, self.build_cube(cube, builder, given, built)));
         }
         let value = builder.sum(&terms);
@@ -105,13 +108,13 @@ impl System {
 
     fn build_cube(
         &self,
-        cube: &[Literal],
+        cube: Cube,
         builder: &mut ProgramBuilder,
         given: &[Value],
         built: &mut [Option<Value>],
     ) -> Value {
         let (mut product, mut doublings) = (None, 0);
-        for &literal in cube {
+        for &literal in self.cubes.literals(cube) {
             let factor = match &self.meanings[usize::from(literal)] {
                 Meaning::Given(index) => given[*index],
                 Meaning::Constant(number) => builder.push(Operation::Constant(*number)),

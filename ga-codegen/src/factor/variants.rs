@@ -17,7 +17,7 @@ pub(super) fn variants(specification: &Specification) -> Result<Vec<Vec<Polynomi
             for (output, input) in expanded.iter().zip(&transformed) {
                 let mut output = output.clone();
                 for (monomial, coefficient) in input.terms() {
-                    output.add_multiple(coefficient.mul(sign)?, monomial, &relation)?;
+                    output.add_multiple(coefficient.checked_mul(sign)?, monomial, &relation)?;
                 }
                 outputs.push(output);
             }

@@ -142,7 +142,7 @@ impl Expression {
             ExpressionKind::Reverse(inner) => Ok(value(inner)?.reverse()),
             ExpressionKind::Grade(inner, grade) => Ok(value(inner)?.grade(*grade)),
             ExpressionKind::Quotient(inner, number) => {
-                value(inner)?.scale(Rational::ONE.div(*number)?.ok_or(Overflow)?)
+                value(inner)?.scale(Rational::ONE.checked_div(*number)?.ok_or(Overflow)?)
             }
             ExpressionKind::Binary(operator, a, b) => apply(*operator, &value(a)?, &value(b)?, basis),
             ExpressionKind::Call(function, arguments) => {

@@ -7,7 +7,7 @@ mod specification;
 
 pub use entity::{Component, ComponentValue, Entity, Statement};
 pub use expression::{Expression, ExpressionKind, Function, Operator};
-pub use specification::{Analytic, Coefficient, Specification, SpecificationError, instance};
+pub use specification::{Analytic, Coefficient, Specification, SpecificationError};
 
 use crate::algebra::Basis;
 use proc_macro2::{Span, TokenStream};

@@ -92,25 +92,31 @@ impl std::error::Error for SpecificationError {}
 
 const MAX_SYMBOLS: usize = 4096;
 
-/// The coefficients of a list of inputs, their multivectors, and their types' relations over the common symbols.
-pub fn instance<'a>(
-    inputs: impl IntoIterator<Item = (&'a str, &'a Entity)>,
-) -> Result<(Vec<Coefficient>, Vec<Multivector>, Vec<Relation>), SpecificationError> {
-    let (mut coefficients, mut multivectors, mut relations) = (Vec::new(), Vec::new(), Vec::new());
-    for (parameter, (name, entity)) in inputs.into_iter().enumerate() {
-        let first = Symbol::try_from(coefficients.len()).map_err(|_| SpecificationError::TooLarge)?;
-        multivectors.push(entity.symbolic(first));
-        relations.extend(entity.statements.iter().map(|statement| statement.relation.shifted(first)));
-        coefficients.extend(entity.fields().map(|(field, _)| Coefficient {
-            parameter,
-            field: field.to_owned(),
-            name: if field.is_empty() { name.to_owned() } else { format!("{name}.{field}") },
-        }));
-        if coefficients.len() > MAX_SYMBOLS {
-            return Err(SpecificationError::TooLarge);
+/// Inputs of given types with every free coefficient a symbol of its own.
+struct Instance {
+    coefficients: Vec<Coefficient>,
+    multivectors: Vec<Multivector>,
+    relations: Vec<Relation>,
+}
+
+impl Instance {
+    fn new<'a>(inputs: impl IntoIterator<Item = (&'a str, &'a Entity)>) -> Result<Self, SpecificationError> {
+        let mut instance = Self { coefficients: Vec::new(), multivectors: Vec::new(), relations: Vec::new() };
+        for (parameter, (name, entity)) in inputs.into_iter().enumerate() {
+            let first = instance.coefficients.len() as Symbol;
+            instance.multivectors.push(entity.symbolic(first));
+            instance.relations.extend(entity.statements.iter().map(|statement| statement.relation.shifted(first)));
+            instance.coefficients.extend(entity.fields().map(|(field, _)| Coefficient {
+                parameter,
+                field: field.to_owned(),
+                name: if field.is_empty() { name.to_owned() } else { format!("{name}.{field}") },
+            }));
+            if instance.coefficients.len() > MAX_SYMBOLS {
+                return Err(SpecificationError::TooLarge);
+            }
         }
+        Ok(instance)
     }
-    Ok((coefficients, multivectors, relations))
 }
 
 impl Specification {
@@ -121,7 +127,7 @@ impl Specification {
     /// analytic ones the proof decides that. Relations without normal form; overflow.
     pub fn new(definition: &Definition, kernel: &Kernel) -> Result<Self, SpecificationError> {
         let typed = kernel.parameters.iter().map(|p| (p.name.as_str(), &definition.entities[p.entity]));
-        let (coefficients, inputs, mut relations) = instance(typed)?;
+        let Instance { coefficients, multivectors: inputs, mut relations } = Instance::new(typed)?;
         relations.extend(kernel.statements.iter().map(|statement| statement.relation.clone()));
         let stated = relations.iter().map(|relation| relation.polynomial().clone()).collect();
         let relations = Relations::new(&relations).map_err(SpecificationError::Relations)?;

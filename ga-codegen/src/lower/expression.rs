@@ -141,7 +141,7 @@ fn polynomial(raw: &RawExpression, symbols: &BTreeMap<String, Symbol>) -> syn::R
         RawKind::Number(number) => Ok(Polynomial::constant(Rational::integer(*number))),
         RawKind::Negate(value) => Ok(inner(value)?.neg()),
         RawKind::Quotient(value, number) => {
-            let reciprocal = Rational::ONE.div(divisor(number)?).map_err(overflow)?.unwrap_or(Rational::ONE);
+            let reciprocal = Rational::ONE.checked_div(divisor(number)?).map_err(overflow)?.unwrap_or(Rational::ONE);
             inner(value)?.scale(reciprocal).map_err(overflow)
         }
         RawKind::Binary(Operator::Add, a, b) => inner(a)?.add(&inner(b)?).map_err(overflow),

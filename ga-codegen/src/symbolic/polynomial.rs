@@ -157,7 +157,7 @@ impl Polynomial {
                 vacant.insert(coefficient);
             }
             Entry::Occupied(mut occupied) => {
-                let sum = occupied.get().add(coefficient)?;
+                let sum = occupied.get().checked_add(coefficient)?;
                 if sum.is_zero() {
                     occupied.remove();
                 } else {
@@ -174,7 +174,7 @@ impl Polynomial {
     /// [`Overflow`]
     pub fn add_multiple(&mut self, factor: Rational, monomial: &Monomial, other: &Self) -> Result<(), Overflow> {
         for (other_monomial, coefficient) in other.terms() {
-            self.add_term(other_monomial.times(monomial), coefficient.mul(factor)?)?;
+            self.add_term(other_monomial.times(monomial), coefficient.checked_mul(factor)?)?;
         }
         Ok(())
     }

@@ -79,7 +79,7 @@ impl Rational {
     ///
     /// # Errors
     /// [`Overflow`]
-    pub fn add(self, other: Self) -> Result<Self, Overflow> {
+    pub fn checked_add(self, other: Self) -> Result<Self, Overflow> {
         if self.denominator == 1 && other.denominator == 1 {
             let numerator = self.numerator.checked_add(other.numerator).ok_or(Overflow)?;
             return Self::new(numerator, 1);
@@ -96,7 +96,7 @@ impl Rational {
     ///
     /// # Errors
     /// [`Overflow`]
-    pub fn mul(self, other: Self) -> Result<Self, Overflow> {
+    pub fn checked_mul(self, other: Self) -> Result<Self, Overflow> {
         if self.denominator == 1 && other.denominator == 1 {
             let numerator = self.numerator.checked_mul(other.numerator).ok_or(Overflow)?;
             return Self::new(numerator, 1);
@@ -121,11 +121,11 @@ impl Rational {
     ///
     /// # Errors
     /// [`Overflow`]
-    pub fn div(self, other: Self) -> Result<Option<Self>, Overflow> {
+    pub fn checked_div(self, other: Self) -> Result<Option<Self>, Overflow> {
         if other.is_zero() {
             return Ok(None);
         }
-        self.mul(Self::new(other.denominator, other.numerator)?).map(Some)
+        self.checked_mul(Self::new(other.denominator, other.numerator)?).map(Some)
     }
 
     /// The nearest f64, for tests and reports; exact where numerator and denominator are below 2^53.

@@ -51,7 +51,7 @@ impl Relation {
     /// What the leading monomial is equal to.
     fn replacement(&self) -> Result<Polynomial, Overflow> {
         let coefficient = self.polynomial.coefficient(&self.leading);
-        let factor = Rational::MINUS_ONE.div(coefficient)?.ok_or(Overflow)?;
+        let factor = Rational::MINUS_ONE.checked_div(coefficient)?.ok_or(Overflow)?;
         let mut replacement = self.polynomial.scale(factor)?;
         replacement.add_term(self.leading.clone(), Rational::ONE)?;
         Ok(replacement)

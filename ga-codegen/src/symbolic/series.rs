@@ -142,7 +142,7 @@ impl SeriesRing {
         for (monomial, coefficient) in a.polynomial.terms() {
             for (other, other_coefficient) in b.polynomial.terms() {
                 if monomial.degree() + other.degree() <= order {
-                    product.add_term(monomial.times(other), coefficient.mul(other_coefficient)?)?;
+                    product.add_term(monomial.times(other), coefficient.checked_mul(other_coefficient)?)?;
                 }
             }
         }
@@ -217,8 +217,8 @@ impl SeriesRing {
         let mut binomial = Rational::ONE;
         self.compose(&rest, |n| {
             if n > 0 {
-                let factor = exponent.add(Rational::integer(1 - n as i64))?;
-                binomial = binomial.mul(factor)?.mul(Rational::new(1, n as i128)?)?;
+                let factor = exponent.checked_add(Rational::integer(1 - n as i64))?;
+                binomial = binomial.checked_mul(factor)?.checked_mul(Rational::new(1, n as i128)?)?;
             }
             Ok(binomial)
         })
@@ -233,7 +233,7 @@ impl SeriesRing {
         }
         let leading = Monomial::new(vec![self.radical; k]);
         let coefficient = a.polynomial.coefficient(&leading);
-        let inverse = Rational::ONE.div(coefficient)?.ok_or(Overflow)?;
+        let inverse = Rational::ONE.checked_div(coefficient)?.ok_or(Overflow)?;
         let unit = self.divided_by_radical(a, k)?;
         Ok((k, coefficient, Series { polynomial: unit.polynomial.scale(inverse)?, order: unit.order }))
     }
@@ -277,7 +277,7 @@ impl SeriesRing {
         let (k, coefficient, unit) = self.leading_power(denominator)?;
         let shifted = self.divided_by_radical(numerator, k)?;
         let quotient = self.mul(&shifted, &self.unit_power(&unit, Rational::MINUS_ONE)?)?;
-        let inverse = Rational::ONE.div(coefficient)?.ok_or(Overflow)?;
+        let inverse = Rational::ONE.checked_div(coefficient)?.ok_or(Overflow)?;
         let quotient = Series { polynomial: quotient.polynomial.scale(inverse)?, order: quotient.order };
         let expected = quotient.constant_term();
         if expected == limit { Ok(quotient) } else { Err(SeriesError::WrongLimit { expected, found: limit }) }
@@ -286,5 +286,5 @@ impl SeriesRing {
 
 /// 1 / n!
 pub(crate) fn reciprocal_factorial(n: usize) -> Result<Rational, Overflow> {
-    (2..=n as i64).try_fold(Rational::ONE, |value, k| value.mul(Rational::new(1, i128::from(k))?))
+    (2..=n as i64).try_fold(Rational::ONE, |value, k| value.checked_mul(Rational::new(1, i128::from(k))?))
 }
