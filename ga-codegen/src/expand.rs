@@ -5,7 +5,7 @@ use crate::factor::{self, factor};
 use crate::kernel::{Definition, Kernel, Specification, SpecificationError};
 use crate::lower::{Errors, lower};
 use crate::program::{Count, Program};
-use crate::proof::{Proof, prove};
+use crate::proof::{Proof, Refutation, prove};
 use crate::syntax::parse;
 use proc_macro2::{Span, TokenStream};
 
@@ -99,13 +99,16 @@ fn compile_kernel(definition: &Definition, kernel: &Kernel) -> syn::Result<Compi
             SpecificationError::CannotHold(..)
             | SpecificationError::WrongConstant(..)
             | SpecificationError::BrokenPromise(..) => kernel.output_span,
+            SpecificationError::NotABivector(..) => kernel.expression.span,
             _ => kernel.span,
         };
         error(span, found.to_string())
     })?;
     let program = factor(&specification).map_err(|found| error(kernel.span, found.to_string()))?;
-    let proof = prove(&specification, &program)
-        .map_err(|refutation| error(kernel.span, format!("expected a proof, found a refutation: {refutation}")))?;
+    let proof = prove(&specification, &program).map_err(|refutation| match refutation {
+        Refutation::CannotHold(_) => error(kernel.output_span, refutation.to_string()),
+        _ => error(kernel.span, format!("expected a proof, found a refutation: {refutation}")),
+    })?;
     let expanded = factor::expanded_count(&specification).map_err(|found| error(kernel.span, found.to_string()))?;
     Ok(Compiled { specification, program, proof, expanded })
 }
