@@ -55,9 +55,9 @@ impl<T: Real> Line<T> {
         magnitude::norm([self.e01, self.e02, self.e03], squared)
     }
 
-    /// The axis: the line of length 1 about which the screw turns and along which it slides. Of a line, which turns only,
-    /// that is the line itself with its direction made 1 long; of a screw, the moment loses what is parallel to the
-    /// direction.
+    /// The axis: the line of length 1 about which the screw turns and along which it slides. Of a line, which turns
+    /// only, that is the line itself with its direction made 1 long; of a screw, the moment loses what is parallel to
+    /// the direction.
     ///
     /// `None` where there is no axis: the direction is 0 (a line at infinity, the generator of a translation), or
     /// something is not finite.
@@ -77,9 +77,9 @@ impl<T: Real> Line<T> {
 
     /// The motion that the screw generates: the sum of l^n / n!.
     ///
-    /// The turn by angle t about the unit line l, counter-clockwise seen against its direction, is `(l * (-t / 2)).exp()`;
-    /// the translation by (x, y, z) is the exponential of -(x e01 + y e02 + z e03)/2. [`Motor::from_screw`] takes the
-    /// angle itself. NaN in gives NaN out.
+    /// The turn by angle t about the unit line l, counter-clockwise seen against its direction, is the exponential of
+    /// -t/2 l; the translation by (x, y, z) that of -(x e01 + y e02 + z e03)/2. [`Motor::from_screw`] takes the angle
+    /// itself. NaN in gives NaN out.
     ///
     /// ```
     /// use pga_motor::f64::{Direction, Point};
@@ -116,7 +116,8 @@ impl<T: Scalar> UnitLine<T> {
 
 /// Constructors, distances in the caller's unit of length, angles in radians.
 impl<T: Real> UnitLine<T> {
-    /// The line through two points, directed from the first to the second; `None` where they coincide or are not finite.
+    /// The line through two points, directed from the first to the second; `None` where they coincide or are not
+    /// finite.
     ///
     /// ```
     /// use pga_motor::f64::{Direction, Point, UnitLine};
@@ -173,8 +174,8 @@ impl<T: Real> UnitLine<T> {
         kernels::line_commutator_line(a, b).norm().atan2(-kernels::line_inner_line(a, b))
     }
 
-    /// The angle by which the line rises from a plane, in [-pi/2, pi/2]; positive where it runs to the side to which the
-    /// plane's normal points.
+    /// The angle by which the line rises from a plane, in [-pi/2, pi/2]; positive where it runs to the side to which
+    /// the plane's normal points.
     #[inline]
     pub fn angle_to_plane(self, plane: UnitPlane<T>) -> T {
         let (line, plane) = (self.into(), plane.into());

@@ -162,9 +162,9 @@ impl<T: Scalar> Motor<T> {
 
 /// Screws, the exponential's inverse.
 impl<T: Real> Motor<T> {
-    /// The turn by `angle` about a line, right-handed, and the slide by `distance` along it; angle in radians, distance in
-    /// the caller's unit of length. The line may be off the origin and of any length other than 0; of a screw the axis is
-    /// taken, as [`Line::normalize`] does.
+    /// The turn by `angle` about a line, right-handed, and the slide by `distance` along it; angle in radians, distance
+    /// in the caller's unit of length. The line may be off the origin and of any length other than 0; of a screw the
+    /// axis is taken, as [`Line::normalize`] does.
     ///
     /// For the unit line l this is (cos(angle/2) - sin(angle/2) l) (1 + distance/2 l e0123).
     ///
@@ -189,9 +189,9 @@ impl<T: Real> Motor<T> {
 
     /// The generator of the rigid motion by at most half a turn: exp(log m) is m or -m, which are the same motion.
     ///
-    /// m and -m have the same logarithm, except where the scalar part is 0: on this tie, exactly half a turn, log(-m) is
-    /// -log m. The logarithm of the turn by angle t about the unit line l is -t/2 l; of the translation by (x, y, z) it is
-    /// -(x e01 + y e02 + z e03)/2. NaN in gives NaN out.
+    /// m and -m have the same logarithm, except where the scalar part is 0: on this tie, exactly half a turn, log(-m)
+    /// is -log m. The logarithm of the turn by angle t about the unit line l is -t/2 l; of the translation by (x, y, z)
+    /// it is -(x e01 + y e02 + z e03)/2. NaN in gives NaN out.
     ///
     /// ```
     /// use pga_motor::f64::{Direction, Line, Motor, Translator};

@@ -48,8 +48,8 @@ impl<T: Real> Plane<T> {
         self.e0.abs()
     }
 
-    /// The same plane with a normal of length 1; `None` where the normal is 0 (the plane at infinity) or something is not
-    /// finite.
+    /// The same plane with a normal of length 1; `None` where the normal is 0 (the plane at infinity) or something is
+    /// not finite.
     ///
     /// ```
     /// use pga_motor::f64::{Plane, UnitPlane};
@@ -78,8 +78,8 @@ impl<T: Scalar> UnitPlane<T> {
         kernels::unit_plane_project_onto_point(self, point)
     }
 
-    /// The plane through a line that is closest to parallel to this one; of length the cosine of the angle between the two,
-    /// so 0 where the line is perpendicular to this plane.
+    /// The plane through a line that is closest to parallel to this one; of length the cosine of the angle between the
+    /// two, so 0 where the line is perpendicular to this plane.
     #[inline]
     pub fn project_onto_line(self, line: UnitLine<T>) -> Plane<T> {
         kernels::plane_project_onto_line(self.into(), line)
@@ -110,8 +110,8 @@ impl<T: Scalar> UnitPlane<T> {
     }
 
     /// The mirror image of a line or a screw as the generator of a motion: its exponential is the mirror image of the
-    /// motion. So an axis across the mirror keeps its direction, and one in it is reversed, as the turn about it is; a line
-    /// as a way from point to point goes the opposite way.
+    /// motion. So an axis across the mirror keeps its direction, and one in it is reversed, as the turn about it is; a
+    /// line as a way from point to point goes the opposite way.
     #[inline]
     pub fn reflect_line(self, line: Line<T>) -> Line<T> {
         kernels::plane_reflect_line(self, line)
@@ -136,8 +136,8 @@ impl<T: Real> UnitPlane<T> {
 
     /// The plane through three points, which run counter-clockwise seen from the side to which the normal points.
     ///
-    /// `None` where they are collinear, so far as rounding lets that be seen: where the normal comes out as exactly 0; or
-    /// where something is not finite.
+    /// `None` where they are collinear, so far as rounding lets that be seen: where the normal comes out as exactly 0;
+    /// or where something is not finite.
     ///
     /// ```
     /// use pga_motor::f64::{Point, UnitPlane};
@@ -165,8 +165,8 @@ impl<T: Real> UnitPlane<T> {
         kernels::plane_meet_plane(a, b).norm().atan2(kernels::plane_inner_plane(a, b))
     }
 
-    /// The angle by which a line rises from the plane, in [-pi/2, pi/2]; positive where it runs to the side to which the
-    /// normal points.
+    /// The angle by which a line rises from the plane, in [-pi/2, pi/2]; positive where it runs to the side to which
+    /// the normal points.
     #[inline]
     pub fn angle_to_line(self, line: UnitLine<T>) -> T {
         line.angle_to_plane(self)

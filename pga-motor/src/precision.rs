@@ -3,7 +3,8 @@
 macro_rules! aliases {
     ($float:ident: $($name:ident)*) => {
         $(
-            #[doc = concat!("[`", stringify!($name), "`](super::", stringify!($name), ") of `", stringify!($float), "`.")]
+            #[doc = concat!("[`", stringify!($name), "`](super::", stringify!($name), ")")]
+            #[doc = concat!("of `", stringify!($float), "`.")]
             pub type $name = super::$name<$float>;
         )*
     };

@@ -37,8 +37,8 @@ impl<T: Real> Rotor<T> {
 
     /// The rotation about an axis of any length other than 0 through the origin.
     ///
-    /// `None` where the axis is zero, or the axis or the angle is not finite. However short or long the axis, its squares
-    /// neither underflow nor overflow.
+    /// `None` where the axis is zero, or the axis or the angle is not finite. However short or long the axis, its
+    /// squares neither underflow nor overflow.
     #[inline]
     pub fn from_axis_angle(axis: Direction<T>, angle: T) -> Option<Self> {
         let axis = axis.normalize()?;
@@ -50,8 +50,8 @@ impl<T: Real> Rotor<T> {
         kernels::direction_rotor(axis, cos, sin)
     }
 
-    /// The rotation of the quaternion w + x i + y j + z k, given as `[x, y, z, w]` as in glam and glTF; it is normalised.
-    /// The rotor is w - x e23 - y e31 - z e12.
+    /// The rotation of the quaternion w + x i + y j + z k, given as `[x, y, z, w]` as in glam and glTF; it is
+    /// normalised. The rotor is w - x e23 - y e31 - z e12.
     ///
     /// `None` for the zero quaternion and for coefficients that are not finite.
     #[inline]

@@ -6,9 +6,9 @@ use pga_motor::f64::{Direction, Motor, Point, Rotor, Translator};
 use pga_motor::interop::glam::{NotRigid, TOLERANCE_F32, TOLERANCE_F64};
 use std::f64::consts::PI;
 
-/// Points and translations here are up to 10 from the origin. A quaternion is off by a few EPSILON, an entry of its matrix
-/// by 4 times as much; that times 10, added over 3 columns and a translation, on either side: 2 * 4 * 3 * 10 EPSILON and
-/// the few roundings of the sum itself.
+/// Points and translations here are up to 10 from the origin. A quaternion is off by a few EPSILON, an entry of its
+/// matrix by 4 times as much; that times 10, added over 3 columns and a translation, on either side: 2 * 4 * 3 * 10
+/// EPSILON and the few roundings of the sum itself.
 const ROUNDING: f64 = 300.0 * f64::EPSILON;
 
 fn axes() -> [DVec3; 5] {

@@ -1,8 +1,8 @@
 //! Motors, rotors and translators on concrete numbers.
 //!
-//! Tolerances: a transform or a product is at most 40 roundings of intermediates no larger than 4 times the size of what
-//! goes in (points and translations up to `size`, unit parts up to 1), each off by at most EPSILON/2 of that. Together
-//! 80 EPSILON size; two in a row, 160.
+//! Tolerances: a transform or a product is at most 40 roundings of intermediates no larger than 4 times the size of
+//! what goes in (points and translations up to `size`, unit parts up to 1), each off by at most EPSILON/2 of that.
+//! Together 80 EPSILON size; two in a row, 160.
 
 use pga_motor::LengthMismatch;
 use pga_motor::f64::*;
@@ -271,8 +271,8 @@ fn logarithm_of_a_turn_is_minus_half_the_angle_times_its_axis() {
 
 #[test]
 fn exponential_of_the_logarithm_is_the_same_motion() {
-    // Rounding of log and exp, each at most 40 operations on parts up to `size`; the quotients with cancelling numerators
-    // are multiplied by what they were divided by.
+    // Rounding of log and exp, each at most 40 operations on parts up to `size`; the quotients with cancelling
+    // numerators are multiplied by what they were divided by.
     for size in [0.0, 1.0, 1e6] {
         for motor in motors(size) {
             let back = motor.log().exp();

@@ -1,18 +1,18 @@
 //! Conversions to and from glam, in `f32` and `f64`.
 //!
-//! | here | glam | |
-//! |---|---|---|
-//! | `Motor` | `Mat4`, `Affine3A`, `(Quat, Vec3)`; `DMat4`, `DAffine3`, `(DQuat, DVec3)` | `From` there, `TryFrom` back |
-//! | `Rotor` | `Quat`; `DQuat` | `From` there, `TryFrom` back |
-//! | `Point`, `Direction` | `Vec3`, `Vec3A`; `DVec3` | `From` both ways |
-//! | `pga2d::Point`, `pga2d::Direction` | `Vec2`; `DVec2` | `From` both ways |
+//! | here | glam, `f32` | glam, `f64` | there | back |
+//! |---|---|---|---|---|
+//! | `Motor` | `Mat4`, `Affine3A`, `(Quat, Vec3)` | `DMat4`, `DAffine3`, `(DQuat, DVec3)` | `From` | `TryFrom` |
+//! | `Rotor` | `Quat` | `DQuat` | `From` | `TryFrom` |
+//! | `Point`, `Direction` | `Vec3`, `Vec3A` | `DVec3` | `From` | `From` |
+//! | `pga2d::Point`, `pga2d::Direction` | `Vec2` | `DVec2` | `From` | `From` |
 //!
 //! A matrix acts on column vectors and a pair is the rotation followed by the translation, so `Mat4::from(b * a)` is
 //! `Mat4::from(b) * Mat4::from(a)`. m and -m give the same matrix; back comes one of the two.
 //!
 //! A matrix is a motor only if it is rigid, and a quaternion is a rotor only if it is unit: to [`TOLERANCE_F32`] or
-//! [`TOLERANCE_F64`], so that what has gathered rounding errors passes and scales, shears and mirrors do not. What passes
-//! is made exactly unit. Otherwise [`NotRigid`] tells what was found.
+//! [`TOLERANCE_F64`], so that what has gathered rounding errors passes and scales, shears and mirrors do not. What
+//! passes is made exactly unit. Otherwise [`NotRigid`] tells what was found.
 //!
 //! ```
 //! use glam::{Mat4, Vec3};

@@ -46,8 +46,8 @@ impl<T: Real> Bivector<T> {
 
     /// The motion that the bivector generates: the sum of b^n / n!.
     ///
-    /// The turn by angle t about the point p, counter-clockwise, is the exponential of -t/2 p; the translation by (x, y) of
-    /// -(x e01 - y e20)/2. [`Motor::about`] takes the angle itself. NaN in gives NaN out.
+    /// The turn by angle t about the point p, counter-clockwise, is the exponential of -t/2 p; the translation by
+    /// (x, y) that of -(x e01 - y e20)/2. [`Motor::about`] takes the angle itself. NaN in gives NaN out.
     #[inline]
     pub fn exp(self) -> Motor<T> {
         kernels::bivector_exp(self)

@@ -37,7 +37,8 @@ impl<T: Real> EvenMultivector<T> {
         Motor::from(self.to_array()).is_unit(tolerance)
     }
 
-    /// The motor that this is a multiple of. In the plane every even element with a Euclidean part is a multiple of one.
+    /// The motor that this is a multiple of. In the plane every even element with a Euclidean part is a multiple of
+    /// one.
     ///
     /// `None` where the Euclidean part is 0 or something is not finite.
     ///

@@ -84,8 +84,8 @@ impl<T: Scalar> UnitLine<T> {
         kernels::line_reflect_direction(self, direction)
     }
 
-    /// The mirror image of a line, its normal mirrored too: this line itself turns over. As left and right change places in a
-    /// mirror, the image runs the opposite way to the images of the points on the line.
+    /// The mirror image of a line, its normal mirrored too: this line itself turns over. As left and right change
+    /// places in a mirror, the image runs the opposite way to the images of the points on the line.
     #[inline]
     pub fn reflect_line(self, line: Line<T>) -> Line<T> {
         kernels::line_reflect_line(self, line)
@@ -100,7 +100,8 @@ impl<T: Scalar> UnitLine<T> {
 
 /// Constructors, distances in the caller's unit of length, angles in radians.
 impl<T: Real> UnitLine<T> {
-    /// The line through two points, directed from the first to the second; `None` where they coincide or are not finite.
+    /// The line through two points, directed from the first to the second; `None` where they coincide or are not
+    /// finite.
     ///
     /// ```
     /// use pga_motor::pga2d::f64::{Direction, Point, UnitLine};
@@ -119,8 +120,8 @@ impl<T: Real> UnitLine<T> {
         line.is_finite().then_some(line)
     }
 
-    /// The distance of a point: a x + b y + c for a e1 + b e2 + c e0, so positive on the side to which the normal points,
-    /// to the left of the way the line runs.
+    /// The distance of a point: a x + b y + c for a e1 + b e2 + c e0, so positive on the side to which the normal
+    /// points, to the left of the way the line runs.
     #[inline]
     pub fn signed_distance_to_point(self, point: Point<T>) -> T {
         kernels::line_join_point(self.into(), point)

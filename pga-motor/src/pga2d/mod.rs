@@ -1,7 +1,7 @@
 //! The plane: rigid motions as motors of Cl(2,0,1).
 //!
-//! The line a x + b y + c = 0 is `a e1 + b e2 + c e0`; its normal (a, b) is to the left of the way it runs. The point (x, y)
-//! is `e12 + x e20 + y e01`. A motor m carries X to m X ~m, and `b * a` applies a first. The rotor of angle t,
+//! The line a x + b y + c = 0 is `a e1 + b e2 + c e0`; its normal (a, b) is to the left of the way it runs. The point
+//! (x, y) is `e12 + x e20 + y e01`. A motor m carries X to m X ~m, and `b * a` applies a first. The rotor of angle t,
 //! counter-clockwise, is cos(t/2) - sin(t/2) e12; the translator by (x, y) is 1 - (x e01 - y e20)/2.
 //!
 //! ```

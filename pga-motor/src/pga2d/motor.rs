@@ -111,8 +111,8 @@ impl<T: Scalar> Motor<T> {
 }
 
 impl<T: Real> Motor<T> {
-    /// The turn about a point by an angle in radians, counter-clockwise: cos(angle/2) - sin(angle/2) p. NaN where something
-    /// is not finite.
+    /// The turn about a point by an angle in radians, counter-clockwise: cos(angle/2) - sin(angle/2) p. NaN where
+    /// something is not finite.
     ///
     /// ```
     /// use pga_motor::pga2d::f64::{Motor, Point};
@@ -128,19 +128,19 @@ impl<T: Real> Motor<T> {
 
     /// The generator of the rigid motion by at most half a turn: exp(log m) is m or -m, which are the same motion.
     ///
-    /// m and -m have the same logarithm, except where the scalar part is 0: on this tie, exactly half a turn, log(-m) is
-    /// -log m. The logarithm of the turn by angle t about the point p is -t/2 p; of the translation by (x, y) it is
+    /// m and -m have the same logarithm, except where the scalar part is 0: on this tie, exactly half a turn, log(-m)
+    /// is -log m. The logarithm of the turn by angle t about the point p is -t/2 p; of the translation by (x, y) it is
     /// -(x e01 - y e20)/2. NaN in gives NaN out.
     #[inline]
     pub fn log(self) -> Bivector<T> {
         kernels::motor_log(if self.s < T::ZERO { -self } else { self })
     }
 
-    /// From this motion at t = 0 to the other at t = 1 the short way: a (1 - t) + b t, made unit again, with -b in place of
-    /// b where the rotors' scalar product is negative. The end is `other` or its negative, the same motion.
+    /// From this motion at t = 0 to the other at t = 1 the short way: a (1 - t) + b t, made unit again, with -b in
+    /// place of b where the rotors' scalar product is negative. The end is `other` or its negative, the same motion.
     ///
-    /// Motions half a turn apart are joined by one of the two ways; b = -a is the same motion and stays put. Defined for
-    /// every finite t; outside [0, 1] it extrapolates. NaN where something is not finite.
+    /// Motions half a turn apart are joined by one of the two ways; b = -a is the same motion and stays put. Defined
+    /// for every finite t; outside [0, 1] it extrapolates. NaN where something is not finite.
     ///
     /// ```
     /// use pga_motor::pga2d::f64::{Motor, Point};

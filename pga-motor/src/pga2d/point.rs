@@ -22,8 +22,8 @@ impl<T: Real> Point<T> {
         (other - self).norm()
     }
 
-    /// The distance from a line: a x + b y + c for the unit line a e1 + b e2 + c e0, so positive on the side to which the
-    /// normal points, to the left of the way the line runs.
+    /// The distance from a line: a x + b y + c for the unit line a e1 + b e2 + c e0, so positive on the side to which
+    /// the normal points, to the left of the way the line runs.
     #[inline]
     pub fn signed_distance_to_line(self, line: UnitLine<T>) -> T {
         line.signed_distance_to_point(self)

@@ -5,8 +5,8 @@ use crate::{Real, Scalar};
 use core::ops::Shr;
 
 impl<T: Real> Rotor<T> {
-    /// The turn by an angle in radians, counter-clockwise: cos(angle/2) - sin(angle/2) e12. NaN for an angle that is not
-    /// finite.
+    /// The turn by an angle in radians, counter-clockwise: cos(angle/2) - sin(angle/2) e12. NaN for an angle that is
+    /// not finite.
     #[inline]
     pub fn from_angle(angle: T) -> Self {
         let (sin, cos) = (angle * T::from_ratio(1, 2)).sin_cos();
