@@ -5,7 +5,7 @@ use crate::factor::{self, factor};
 use crate::kernel::{Definition, Kernel, Specification, SpecificationError};
 use crate::lower::{Errors, lower};
 use crate::program::{CostModel, Count, Program};
-use crate::proof::{Proof, prove};
+use crate::proof::{Proof, Refutation, prove};
 use crate::syntax::parse;
 use proc_macro2::TokenStream;
 
@@ -125,6 +125,7 @@ fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specificatio
             SpecificationError::CannotHold(..)
             | SpecificationError::WrongConstant(..)
             | SpecificationError::BrokenPromise(..) => kernel.output_span,
+            SpecificationError::NotABivector(..) => kernel.expression.span,
             _ => kernel.span,
         };
         syn::Error::new(span, format!("kernel `{}`: {found}", kernel.name))
@@ -153,8 +154,12 @@ fn proved_program(
         });
     }
     let program = factor(specification, model).map_err(|found| at(kernel, found.to_string()))?;
-    let proof = prove(specification, &program)
-        .map_err(|refutation| at(kernel, format!("expected a proof, found a refutation: {refutation}")))?;
+    let proof = prove(specification, &program).map_err(|refutation| match refutation {
+        Refutation::CannotHold(_) => {
+            syn::Error::new(kernel.output_span, format!("kernel `{}`: {refutation}", kernel.name))
+        }
+        _ => at(kernel, format!("expected a proof, found a refutation: {refutation}")),
+    })?;
     Ok((program, proof))
 }
 

@@ -34,6 +34,9 @@ impl Errors {
     }
 }
 
+/// Names that emitted code has for something else: the traits of numbers, and the type of a coefficient.
+const RESERVED: [&str; 3] = [Entity::SCALAR, "Real", "T"];
+
 /// Resolves the items of a block.
 ///
 /// # Errors
@@ -52,7 +55,11 @@ pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
     for item in items {
         match item {
             Item::Entity { docs, name, components, relations } => {
-                if definition.entity(&name.text).is_some() {
+                if RESERVED.contains(&name.text.as_str()) {
+                    let message =
+                        format!("expected an entity whose name emitted code does not use, found `{}`", name.text);
+                    errors.push(name.span, message);
+                } else if definition.entity(&name.text).is_some() {
                     errors
                         .push(name.span, format!("expected entities with distinct names, found `{}` twice", name.text));
                 }
@@ -176,6 +183,9 @@ fn lower_entity(
     }
     let mut entity =
         Entity { name: name.text.clone(), docs: docs.to_vec(), components, statements: Vec::new(), span: name.span };
+    if entity.fields().next().is_none() && entity.components.len() == raw.len() {
+        errors.push(name.span, format!("expected at least one field in `{}`, found none", name.text));
+    }
     let fields = entity.fields().enumerate().map(|(i, (field, _))| (field.to_owned(), i as Symbol)).collect();
     entity.statements = lower_relations(relations, &fields, errors);
     check_relations(&entity.statements, &entity.statements, &fields, errors);

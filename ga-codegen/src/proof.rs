@@ -52,6 +52,8 @@ pub enum Refutation {
     OutputCount,
     /// The program uses an operation that has no meaning here, or the definition has none.
     Undefined(String),
+    /// The output type does not have this blade, and the definition does.
+    CannotHold(String),
     /// A coefficient of the output differs: its name, and the normal form of program minus definition.
     Different(String, String),
     /// The program breaks a promise of the output type: the relation and the normal form of the excess.
@@ -81,6 +83,7 @@ impl fmt::Display for Refutation {
             Self::Overflow => Overflow.fmt(f),
             Self::OutputCount => f.write_str("the program has another number of outputs than its type has fields"),
             Self::Undefined(text) => f.write_str(text),
+            Self::CannotHold(name) => write!(f, "expected an output that can hold `{name}`, found none"),
             Self::Different(name, difference) => {
                 write!(f, "coefficient `{name}`: program minus definition is {difference}")
             }
@@ -181,6 +184,9 @@ impl Exponential {
                 None => Polynomial::zero(),
             };
             let difference = self.sum.coefficient(named.blade).sub(&expected)?;
+            if !difference.is_zero() && component.is_none() {
+                return Err(Refutation::CannotHold(named.name.clone()));
+            }
             if !difference.is_zero() {
                 return Err(Refutation::Different(named.name.clone(), difference.neg().display(&self.names)));
             }

@@ -3,8 +3,11 @@
 //! The grammar is documented at [`crate::expand`]. An item that does not parse does not keep the others from being
 //! parsed.
 
-use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
-use syn::parse::{ParseStream, Parser};
+use proc_macro2::{Delimiter, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
+use std::fmt::Display;
+use std::str::FromStr;
+use syn::ext::IdentExt;
+use syn::parse::{Parse, ParseBuffer, ParseStream, Parser};
 use syn::{LitInt, LitStr, Token, braced, bracketed, parenthesized};
 
 use crate::kernel::Operator;
@@ -93,7 +96,7 @@ pub(crate) fn parse(tokens: TokenStream) -> syn::Result<Vec<Item>> {
     let mut items = Vec::new();
     let mut errors: Option<syn::Error> = None;
     for chunk in chunks(tokens) {
-        match item.parse2(chunk) {
+        match parse_item(chunk) {
             Ok(parsed) => items.extend(parsed),
             Err(error) => match &mut errors {
                 Some(errors) => errors.combine(error),
@@ -104,8 +107,22 @@ pub(crate) fn parse(tokens: TokenStream) -> syn::Result<Vec<Item>> {
     errors.map_or(Ok(items), Err)
 }
 
+/// Parses an item. One that lacks its `;` is parsed as if it had it, to see whether that is all it lacks.
+fn parse_item(chunk: Vec<TokenTree>) -> syn::Result<Vec<Item>> {
+    let last = match chunk.last() {
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => None,
+        Some(TokenTree::Punct(punct)) if punct.as_char() == ';' => None,
+        last => last.map(TokenTree::span),
+    };
+    let Some(span) = last else { return item.parse2(chunk.into_iter().collect()) };
+    let mut semicolon = Punct::new(';', Spacing::Alone);
+    semicolon.set_span(span);
+    item.parse2(chunk.into_iter().chain([semicolon.into()]).collect())?;
+    Err(syn::Error::new(span, "expected `;` after this, found the end of the block"))
+}
+
 /// Splits a block after every `;` and after the braces of an entity without relations.
-fn chunks(tokens: TokenStream) -> Vec<TokenStream> {
+fn chunks(tokens: TokenStream) -> Vec<Vec<TokenTree>> {
     let mut chunks = Vec::new();
     let mut chunk = Vec::new();
     let mut tokens = tokens.into_iter().peekable();
@@ -121,13 +138,51 @@ fn chunks(tokens: TokenStream) -> Vec<TokenStream> {
         };
         chunk.push(token);
         if ends {
-            chunks.push(chunk.drain(..).collect());
+            chunks.push(std::mem::take(&mut chunk));
         }
     }
     if !chunk.is_empty() {
-        chunks.push(chunk.into_iter().collect());
+        chunks.push(chunk);
     }
     chunks
+}
+
+/// What is expected here, and what stands here instead.
+fn unexpected(input: ParseStream, expected: &str) -> syn::Error {
+    let found = match input.cursor().token_tree() {
+        Some((TokenTree::Group(group), _)) => match group.delimiter() {
+            Delimiter::Parenthesis => "`(`".to_owned(),
+            Delimiter::Brace => "`{`".to_owned(),
+            Delimiter::Bracket => "`[`".to_owned(),
+            Delimiter::None => format!("`{group}`"),
+        },
+        Some((token, _)) => format!("`{token}`"),
+        None => "the end".to_owned(),
+    };
+    syn::Error::new(input.span(), format!("expected {expected}, found {found}"))
+}
+
+/// A token that is written as `expected` says.
+fn token<T: Parse>(input: ParseStream, expected: &str) -> syn::Result<T> {
+    input.parse().map_err(|_| unexpected(input, expected))
+}
+
+/// What stands between commas, the last of which may be left out.
+fn comma_separated<T>(input: ParseStream, parse: impl Fn(ParseStream) -> syn::Result<T>) -> syn::Result<Vec<T>> {
+    let mut parsed = Vec::new();
+    while !input.is_empty() {
+        parsed.push(parse(input)?);
+        if !input.is_empty() {
+            token::<Token![,]>(input, "`,`")?;
+        }
+    }
+    Ok(parsed)
+}
+
+fn number<N: FromStr<Err: Display>>(input: ParseStream) -> syn::Result<N> {
+    let literal: LitInt = token(input, "a whole number")?;
+    let message = format!("expected a whole number of at most 63 bits, found `{literal}`");
+    literal.base10_parse().map_err(|_| syn::Error::new(literal.span(), message))
 }
 
 fn item(input: ParseStream) -> syn::Result<Vec<Item>> {
@@ -147,12 +202,12 @@ fn item(input: ParseStream) -> syn::Result<Vec<Item>> {
         "export" => Item::Export { name: name(input, "a name for the exported list of kernels")? },
         "preset" => {
             let items = included(&name(input, "the name of a preset")?)?;
-            input.parse::<Token![;]>()?;
+            token::<Token![;]>(input, "`;`")?;
             return Ok(items);
         }
         other => return Err(syn::Error::new(keyword.span(), format!("expected {KEYWORDS}, found `{other}`"))),
     };
-    input.parse::<Token![;]>()?;
+    token::<Token![;]>(input, "`;`")?;
     Ok(vec![item])
 }
 
@@ -169,21 +224,16 @@ fn included(name: &Name) -> syn::Result<Vec<Item>> {
 
 /// An identifier, keywords of Rust included.
 fn any_ident(input: ParseStream, expected: &str) -> syn::Result<Ident> {
-    input.step(|cursor| match cursor.ident() {
-        Some(found) => Ok(found),
-        None => Err(cursor.error(format!("expected {expected}"))),
-    })
+    input.step(|cursor| cursor.ident().ok_or_else(|| cursor.error(""))).map_err(|_| unexpected(input, expected))
 }
 
+/// An identifier that Rust lets be a name, as it is or raw.
 fn name(input: ParseStream, expected: &str) -> syn::Result<Name> {
-    let ident = input.step(|cursor| match cursor.ident() {
-        Some(found) => Ok(found),
-        None => match cursor.token_tree() {
-            Some((found, _)) => Err(syn::Error::new(found.span(), format!("expected {expected}, found `{found}`"))),
-            None => Err(cursor.error(format!("expected {expected}"))),
-        },
-    })?;
-    Ok(Name { text: ident.to_string(), span: ident.span() })
+    let is_name = |ident: &Ident| !["_", "self", "Self", "super", "crate"].iter().any(|reserved| ident == reserved);
+    let ident = input
+        .step(|cursor| cursor.ident().filter(|(ident, _)| is_name(ident)).ok_or_else(|| cursor.error("")))
+        .map_err(|_| unexpected(input, expected))?;
+    Ok(Name { text: ident.unraw().to_string(), span: ident.span() })
 }
 
 fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
@@ -203,11 +253,19 @@ fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
     Ok(docs)
 }
 
-fn signature(span: Span, input: ParseStream) -> syn::Result<Item> {
+/// The inside of parentheses.
+fn parentheses(input: ParseStream) -> syn::Result<ParseBuffer> {
+    if !input.peek(syn::token::Paren) {
+        return Err(unexpected(input, "`(`"));
+    }
     let content;
     parenthesized!(content in input);
-    let numbers = content.parse_terminated(|input: ParseStream| input.parse::<LitInt>(), Token![,])?;
-    let numbers: Vec<usize> = numbers.iter().map(|number| number.base10_parse()).collect::<syn::Result<_>>()?;
+    Ok(content)
+}
+
+fn signature(span: Span, input: ParseStream) -> syn::Result<Item> {
+    let content = parentheses(input)?;
+    let numbers = comma_separated(&content, number)?;
     let found = numbers.len();
     let numbers = numbers.try_into().map_err(|_| {
         syn::Error::new(span, format!("expected a signature of three numbers (p, q, r), found {found}"))
@@ -241,12 +299,15 @@ fn basis(span: Span, input: ParseStream) -> syn::Result<Item> {
 
 fn entity(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
     let name = name(input, "the name of an entity")?;
+    if !input.peek(syn::token::Brace) {
+        return Err(unexpected(input, "`{`"));
+    }
     let content;
     braced!(content in input);
-    let components = content.parse_terminated(component, Token![,])?.into_iter().collect();
+    let components = comma_separated(&content, component)?;
     let relations = relations(input)?;
-    if input.peek(Token![;]) || !relations.is_empty() {
-        input.parse::<Token![;]>()?;
+    if !input.is_empty() || !relations.is_empty() {
+        token::<Token![;]>(input, "`;`")?;
     }
     Ok(Item::Entity { docs, name, components, relations })
 }
@@ -254,8 +315,8 @@ fn entity(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
 fn component(input: ParseStream) -> syn::Result<RawComponent> {
     if input.peek(LitInt) || input.peek(Token![-]) {
         let minus = input.parse::<Option<Token![-]>>()?.is_some();
-        let number: i64 = input.parse::<LitInt>()?.base10_parse()?;
-        input.parse::<Token![:]>()?;
+        let number: i64 = number(input)?;
+        token::<Token![:]>(input, "`:`")?;
         let constant = Some(if minus { -number } else { number });
         return Ok(RawComponent { field: None, constant, blade: blade(input)? });
     }
@@ -278,7 +339,7 @@ fn relations(input: ParseStream) -> syn::Result<Vec<RawRelation>> {
     loop {
         let span = input.span();
         let left = expression(input, 0)?;
-        input.parse::<Token![==]>()?;
+        token::<Token![==]>(input, "`==`")?;
         relations.push(RawRelation { left, right: expression(input, 0)?, span });
         if !input.peek(Token![,]) {
             return Ok(relations);
@@ -292,17 +353,15 @@ fn relations(input: ParseStream) -> syn::Result<Vec<RawRelation>> {
 
 fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
     let kernel_name = name(input, "the name of a kernel")?;
-    let content;
-    parenthesized!(content in input);
     let parameter = |input: ParseStream| {
         let parameter = name(input, "the name of a parameter")?;
-        input.parse::<Token![:]>()?;
+        token::<Token![:]>(input, "`:`")?;
         Ok((parameter, name(input, "an entity")?))
     };
-    let parameters = content.parse_terminated(parameter, Token![,])?.into_iter().collect();
-    input.parse::<Token![->]>()?;
+    let parameters = comma_separated(&parentheses(input)?, parameter)?;
+    token::<Token![->]>(input, "`->`")?;
     let output = name(input, "an entity")?;
-    input.parse::<Token![=]>()?;
+    token::<Token![=]>(input, "`=`")?;
     let expression = expression(input, 0)?;
     let relations = relations(input)?;
     let models = models(input)?;
@@ -335,7 +394,7 @@ fn scalar(input: ParseStream) -> syn::Result<Item> {
         path.extend([input.parse::<TokenTree>()?]);
     }
     if path.is_empty() {
-        return Err(input.error("expected the path of the module with the traits `Scalar` and `Real`"));
+        return Err(unexpected(input, "the path of the module with the traits `Scalar` and `Real`"));
     }
     Ok(Item::Scalar { path })
 }
@@ -418,11 +477,10 @@ fn unary(input: ParseStream) -> syn::Result<RawExpression> {
 fn primary(input: ParseStream) -> syn::Result<RawExpression> {
     let span = input.span();
     if input.peek(syn::token::Paren) {
-        let content;
-        parenthesized!(content in input);
+        let content = parentheses(input)?;
         let inner = expression(&content, 0)?;
         if !content.is_empty() {
-            return Err(content.error("expected an operator or `)`"));
+            return Err(unexpected(&content, "an operator or `)`"));
         }
         return Ok(inner);
     }
@@ -432,7 +490,7 @@ fn primary(input: ParseStream) -> syn::Result<RawExpression> {
         return Err(syn::Error::new(literal.span(), message));
     }
     if input.peek(LitInt) {
-        let number = input.parse::<LitInt>()?.base10_parse()?;
+        let number = number(input)?;
         return Ok(RawExpression { kind: RawKind::Number(number), span });
     }
     let first = name(input, "an expression")?;
@@ -442,10 +500,8 @@ fn primary(input: ParseStream) -> syn::Result<RawExpression> {
         return Ok(RawExpression { kind: RawKind::Field(first.text, field.text), span });
     }
     if input.peek(syn::token::Paren) {
-        let content;
-        parenthesized!(content in input);
-        let arguments = content.parse_terminated(|input: ParseStream| expression(input, 0), Token![,])?;
-        return Ok(RawExpression { kind: RawKind::Call(first.text, arguments.into_iter().collect()), span });
+        let arguments = comma_separated(&parentheses(input)?, |input| expression(input, 0))?;
+        return Ok(RawExpression { kind: RawKind::Call(first.text, arguments), span });
     }
     Ok(RawExpression { kind: RawKind::Name(first.text), span })
 }

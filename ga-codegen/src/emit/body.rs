@@ -33,12 +33,13 @@ struct Writer<'a> {
     statements: TokenStream,
 }
 
-/// The body of a program whose inputs are these expressions; `reserved` names are not given to temporaries.
-pub(super) fn body(program: &Program, inputs: &[TokenStream], reserved: &[&str]) -> syn::Result<Body> {
+/// The body of a program whose inputs are these expressions; `reserved` names are not given to temporaries. An error is
+/// at `span`.
+pub(super) fn body(program: &Program, inputs: &[TokenStream], reserved: &[&str], span: Span) -> syn::Result<Body> {
     let mut uses = vec![0; program.operations.len()];
     let operands = program.operations.iter().flat_map(|operation| operation.operands());
     operands.chain(program.outputs.iter().copied()).for_each(|value| uses[value] += 1);
-    let constants = constants(program)?;
+    let constants = constants(program, span)?;
     let (names, statements) = (BTreeMap::new(), TokenStream::new());
     let mut writer = Writer { program, inputs, constants, reserved, uses, names, temporaries: 0, statements };
     for value in 0..program.operations.len() {
@@ -49,16 +50,16 @@ pub(super) fn body(program: &Program, inputs: &[TokenStream], reserved: &[&str])
 }
 
 /// The expressions of all numbers in a program.
-fn constants(program: &Program) -> syn::Result<BTreeMap<Rational, TokenStream>> {
+fn constants(program: &Program, span: Span) -> syn::Result<BTreeMap<Rational, TokenStream>> {
     let numbers = program.operations.iter().filter_map(|operation| match operation {
         Operation::Constant(number) | Operation::Quotient(_, _, number) => Some(*number),
         _ => None,
     });
-    numbers.map(|value| Ok((value, number(value)?))).collect()
+    numbers.map(|value| Ok((value, number(value, span)?))).collect()
 }
 
 /// A number as an expression of the scalar type.
-pub(super) fn number(number: Rational) -> syn::Result<TokenStream> {
+fn number(number: Rational, span: Span) -> syn::Result<TokenStream> {
     if number.is_zero() {
         return Ok(quote!(T::ZERO));
     }
@@ -66,8 +67,8 @@ pub(super) fn number(number: Rational) -> syn::Result<TokenStream> {
         return Ok(quote!(T::ONE));
     }
     let part = |part: i128| {
-        let message = format!("expected constants whose parts fit 32 bits, found {number}");
-        i32::try_from(part).map(Literal::i32_unsuffixed).map_err(|_| syn::Error::new(Span::call_site(), message))
+        let message = format!("expected numbers whose numerator and denominator fit 32 bits, found {number}");
+        i32::try_from(part).map(Literal::i32_unsuffixed).map_err(|_| syn::Error::new(span, message))
     };
     let magnitude = number.abs();
     let (numerator, denominator) = (part(magnitude.numerator())?, part(magnitude.denominator())?);

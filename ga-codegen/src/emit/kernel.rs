@@ -28,7 +28,7 @@ pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Res
         .map(|coefficient| access(&kernel.parameters[coefficient.parameter].name, &coefficient.field))
         .collect();
     let reserved: Vec<_> = kernel.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-    let body = body(&compiled.program, &inputs, &reserved)?;
+    let body = body(&compiled.program, &inputs, &reserved, kernel.span)?;
     let parameters = kernel.parameters.iter().enumerate().map(|(index, parameter)| {
         let used = |operation: &Operation| match operation {
             Operation::Input(input) => compiled.specification.coefficients[*input].parameter == index,

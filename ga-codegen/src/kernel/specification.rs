@@ -61,6 +61,8 @@ pub enum SpecificationError {
     CannotHold(String, String),
     /// The output type fixes a coefficient that the expression does not meet: blade, fixed value, normal form.
     WrongConstant(String, String, String),
+    /// The argument of `exp` has a coefficient of another grade than 2: blade and polynomial.
+    NotABivector(String, String),
     /// The output type has a relation that the expression does not satisfy: its text and the normal form of the excess.
     BrokenPromise(String, String),
 }
@@ -82,6 +84,12 @@ impl fmt::Display for SpecificationError {
             }
             Self::WrongConstant(blade, constant, value) => {
                 write!(f, "expected the coefficient {constant} of `{blade}` that the output type fixes, found {value}")
+            }
+            Self::NotABivector(blade, value) => {
+                write!(
+                    f,
+                    "expected a bivector as the argument of `exp`, found one with {value} as the coefficient of `{blade}`"
+                )
             }
             Self::BrokenPromise(relation, value) => {
                 write!(f, "expected an output with `{relation}`, found a difference of {value}")
@@ -148,10 +156,23 @@ impl Specification {
             output,
             basis,
         };
-        if specification.analytic.is_none() {
-            specification.check_output()?;
+        match specification.analytic {
+            None => specification.check_output()?,
+            Some(Analytic::Exp) => specification.check_bivector()?,
+            Some(Analytic::Log) => {}
         }
         Ok(specification)
+    }
+
+    fn check_bivector(&self) -> Result<(), SpecificationError> {
+        match self.value.terms().find(|(blade, _)| blade.grade() != 2) {
+            None => Ok(()),
+            Some((blade, value)) => {
+                let named = self.basis.named(blade);
+                let value = oriented(value, named.sign.is_minus()).display(&self.names());
+                Err(SpecificationError::NotABivector(named.name.clone(), value))
+            }
+        }
     }
 
     /// The names of the symbols.

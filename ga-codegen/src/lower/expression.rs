@@ -22,7 +22,13 @@ impl Scope<'_> {
             && let Some((_, analytic)) = ANALYTIC.iter().find(|(known, _)| known == name)
         {
             check_arity(name, 1, arguments, raw.span)?;
-            return Ok((Some(*analytic), self.expression(&arguments[0])?));
+            let argument = self.expression(&arguments[0])?;
+            let is_input = self.parameters.len() == 1 && matches!(argument.kind, ExpressionKind::Parameter(_));
+            if *analytic == Analytic::Log && !is_input {
+                let message = "expected the one parameter of the kernel as the argument of `log`, found something else";
+                return Err(syn::Error::new(argument.span, message));
+            }
+            return Ok((Some(*analytic), argument));
         }
         Ok((None, self.expression(raw)?))
     }
@@ -61,7 +67,10 @@ impl Scope<'_> {
         if name == "grade" {
             check_arity(name, 2, arguments, span)?;
             let RawKind::Number(grade @ 0..=8) = arguments[1].kind else {
-                return Err(syn::Error::new(arguments[1].span, "expected a grade from 0 to 8 as the second argument"));
+                return Err(syn::Error::new(
+                    arguments[1].span,
+                    "expected a grade from 0 to 8 as the second argument, found another expression",
+                ));
             };
             return Ok(ExpressionKind::Grade(Box::new(self.expression(&arguments[0])?), grade as u32));
         }
@@ -108,7 +117,8 @@ pub(super) fn relation(raw: &RawRelation, symbols: &BTreeMap<String, Symbol>) ->
         .filter(|_| first.term_count() == 1)
         .and_then(|leading| Relation::new(difference, leading))
         .ok_or_else(|| {
-        let message = "expected a relation that starts with the monomial to rewrite, such as `s*s == 1 - e12*e12`";
+        let message =
+            "expected a relation that starts with the monomial to rewrite, such as `s*s == 1 - e12*e12`, found another";
         syn::Error::new(raw.span, message)
     })?;
     Ok((relation, format!("{} == {}", text(&raw.left, 0), text(&raw.right, 0)), raw.span))

@@ -1,0 +1,636 @@
+//! What is wrong with a definition block is said at the token to blame: message, line and column.
+
+use proc_macro2::TokenStream;
+use proptest::prelude::*;
+
+/// The errors of a block as `line:column: message`, both counted from 1.
+fn errors(block: &str) -> Vec<String> {
+    let tokens: TokenStream = block.trim_start().parse().expect("a block made of tokens");
+    let found = ga_codegen::expand(tokens).err().into_iter().flatten();
+    let described = found.map(|error| {
+        let start = error.span().start();
+        format!("{}:{}: {error}", start.line, start.column + 1)
+    });
+    described.collect()
+}
+
+#[track_caller]
+fn assert_errors(block: &str, expected: &[&str]) {
+    assert_eq!(errors(block), expected, "{block}");
+}
+
+// Names.
+
+#[test]
+fn an_unknown_blade_is_found_in_the_entity() {
+    assert_errors(
+        "
+signature (2, 0, 1);
+entity Line { e1, e2, e3 }",
+        &["2:23: expected a blade of the basis (1 e0 e1 e2 e01 e02 e12 e012), found `e3`"],
+    );
+}
+
+#[test]
+fn an_unknown_entity_is_found_in_parameters_and_output() {
+    assert_errors(
+        "
+signature (2, 0, 1);
+entity Line { e1, e2, e0 }
+kernel flip(a: Line, b: Lime) -> Lint = -a;",
+        &[
+            "3:25: expected an entity (Scalar, Line), found `Lime`",
+            "3:34: expected an entity (Scalar, Line), found `Lint`",
+        ],
+    );
+}
+
+#[test]
+fn an_unknown_name_is_found_in_the_expression() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 }
+kernel f(a: Vector) -> Vector = b;
+kernel g(a: Vector) -> Vector = flip(a);
+kernel h(a: Vector) -> Vector = a.e1;",
+        &[
+            "3:33: expected a parameter (`a`) or a blade, found `b`",
+            "4:33: expected a function (dual, undual, grade_involution, clifford_conjugate, left_contraction, \
+             right_contraction, scalar_product, commutator, anticommutator, grade, exp, log), found `flip`",
+            "5:33: expected a whole parameter, found its field `a.e1`",
+        ],
+    );
+}
+
+#[test]
+fn names_are_distinct() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 }
+entity Vector { e1, e2 }
+entity Fields { x: e1, x: e2 }
+entity Blades { x: e1, y: e1 }
+kernel f(a: Vector) -> Vector = a;
+kernel f(a: Vector, a: Vector) -> Vector = -a;",
+        &[
+            "3:8: expected entities with distinct names, found `Vector` twice",
+            "4:24: expected fields with distinct names in `Fields`, found `x` twice",
+            "5:27: expected every blade once in `Blades`, found `e1` twice",
+            "7:8: expected kernels with distinct names, found `f` twice",
+            "7:21: expected parameters with distinct names, found `a` twice",
+        ],
+    );
+}
+
+#[test]
+fn a_name_that_rust_or_the_emitted_code_needs_is_refused() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { self: e1, crate: e2 }
+entity Under { _: e1, e2 }
+kernel super() -> Scalar = 1;",
+        &[
+            "2:17: expected a field, a blade or a number, found `self`",
+            "3:16: expected a field, a blade or a number, found `_`",
+            "4:8: expected the name of a kernel, found `super`",
+        ],
+    );
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Scalar { e1 }
+entity Real { e1 }
+entity T { e1 }
+entity Vector { e1 }
+kernel f(e1: Vector) -> Vector = e1;",
+        &[
+            "2:8: expected an entity whose name emitted code does not use, found `Scalar`",
+            "3:8: expected an entity whose name emitted code does not use, found `Real`",
+            "4:8: expected an entity whose name emitted code does not use, found `T`",
+            "6:10: expected a parameter that is not named like a blade, found `e1`",
+        ],
+    );
+}
+
+#[test]
+fn keywords_of_rust_that_can_be_raw_are_names() {
+    let block = "signature (2, 0, 0); entity Vector { fn: e1, r#type: e2 } kernel match(r#in: Vector) -> Vector = -in;";
+    let emitted = ga_codegen::expand(block.parse().expect("tokens")).expect("a block without errors").to_string();
+    for name in ["r#fn", "r#type", "r#match", "r#in"] {
+        assert!(emitted.contains(name), "{name}");
+    }
+}
+
+#[test]
+fn an_entity_without_fields_is_refused() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Empty { }
+entity One { 1: 1 }",
+        &[
+            "2:8: expected at least one field in `Empty`, found none",
+            "3:8: expected at least one field in `One`, found none",
+        ],
+    );
+}
+
+// Signature and basis.
+
+#[test]
+fn a_basis_holds_every_blade() {
+    assert_errors(
+        "
+signature (2, 0, 1);
+basis 1 e0 e1 e2 e01 e12;",
+        &["2:1: expected every blade of the algebra, found none for `e02`, `e012`"],
+    );
+}
+
+#[test]
+fn a_basis_holds_every_blade_once() {
+    assert_errors(
+        "
+signature (2, 0, 1);
+basis 1 e0 e1 e2 e01 e20 e02 e12 e012;",
+        &["2:26: expected every blade once, found `e02` and `e20`, which are the same up to sign"],
+    );
+    assert_errors(
+        "
+signature (2, 0, 0);
+basis 1 x=e1 x=e2 e12;",
+        &["2:16: expected distinct names, found `x` twice"],
+    );
+}
+
+#[test]
+fn a_word_of_the_basis_is_a_blade_of_the_signature() {
+    let blade = "its generators are e0 e1 e2, each at most once in a blade";
+    for word in ["e13", "x12", "e", "e11", "e9", "2"] {
+        assert_errors(
+            &format!("signature (2, 0, 1);\nbasis 1 e0 e1 e2 e01 e20 {word} e012;"),
+            &[&format!("2:26: expected a blade of Cl(2,0,1), found `{word}`: {blade}")],
+        );
+    }
+}
+
+#[test]
+fn a_signature_stands_there_once_with_three_numbers_and_at_most_8_generators() {
+    assert_errors("entity Vector { e1 }", &["1:1: expected a signature such as `signature (3, 0, 1);`, found none"]);
+    assert_errors("", &["1:1: expected a signature such as `signature (3, 0, 1);`, found none"]);
+    assert_errors("signature (2, 0);", &["1:1: expected a signature of three numbers (p, q, r), found 2"]);
+    assert_errors("signature (9, 0, 0);", &["1:1: expected at most 8 generators, found Cl(9,0,0)"]);
+    assert_errors(
+        "signature (4, 4, 1);\nbasis 1 e0;", //
+        &["1:1: expected at most 8 generators, found Cl(4,4,1)"],
+    );
+    assert_errors(
+        "signature (18446744073709551615, 1, 0);",
+        &["1:1: expected at most 8 generators, found Cl(18446744073709551615,1,0)"],
+    );
+    assert_errors(
+        "signature (99999999999999999999, x, 0);",
+        &["1:12: expected a whole number of at most 63 bits, found `99999999999999999999`"],
+    );
+    assert_errors("signature (1, 0, 0);\nsignature (1, 0, 0);", &["2:1: expected one signature, found a second"]);
+    assert_errors("signature (1, 0, 0);\nbasis 1 e1;\nbasis 1 e1;", &["3:1: expected one basis, found a second"]);
+}
+
+// What outputs can hold, and promises.
+
+#[test]
+fn an_output_holds_every_coefficient_of_the_result() {
+    assert_errors(
+        "
+signature (2, 0, 1);
+entity Line { e1, e2, e0 }
+kernel product(a: Line, b: Line) -> Line = a * b;",
+        &[
+            "3:37: kernel `product`: expected an output that can hold `1`, found none: its coefficient is a.e1 b.e1 + a.e2 b.e2",
+        ],
+    );
+}
+
+#[test]
+fn an_output_meets_the_constants_of_its_type() {
+    assert_errors(
+        "
+signature (2, 0, 1);
+entity Point { x: e02, 1: e12 }
+entity Any { e02, e12 }
+kernel pin(a: Any) -> Point = a;
+kernel twice(a: Point) -> Point = 2 * a;",
+        &[
+            "4:23: kernel `pin`: expected the coefficient 1 of `e12` that the output type fixes, found a.e12",
+            "5:27: kernel `twice`: expected the coefficient 1 of `e12` that the output type fixes, found 2",
+        ],
+    );
+}
+
+#[test]
+fn an_output_keeps_the_promises_of_its_type() {
+    assert_errors(
+        "
+signature (2, 0, 1);
+entity Line { e1, e2, e0 }
+entity Motor { s: 1, e12, e01, e02 } where s*s == 1 - e12*e12;
+kernel product(a: Line, b: Line) -> Motor = a * b;
+kernel twice(a: Motor) -> Motor = a + a;",
+        &[
+            "4:37: kernel `product`: expected an output with `s * s == 1 - e12 * e12`, found a difference of \
+             -1 + a.e1^2 b.e1^2 + a.e1^2 b.e2^2 + a.e2^2 b.e1^2 + a.e2^2 b.e2^2",
+            "5:27: kernel `twice`: expected an output with `s * s == 1 - e12 * e12`, found a difference of 3",
+        ],
+    );
+}
+
+#[test]
+fn the_same_product_of_unit_lines_keeps_the_promise() {
+    assert_errors(
+        "
+signature (2, 0, 1);
+entity Line { e1, e2, e0 } where e1*e1 == 1 - e2*e2;
+entity Motor { s: 1, e12, e01, e02 } where s*s == 1 - e12*e12;
+kernel product(a: Line, b: Line) -> Motor = a * b;",
+        &[],
+    );
+}
+
+// Relations.
+
+#[test]
+fn relations_without_unique_normal_forms_are_an_error_at_the_relation() {
+    let line = |first: &str| {
+        format!(
+            "signature (3, 0, 1);
+entity UnitLine {{ e23, e13, e12, e01, e02, e03 }}
+    where {first},
+          e23*e01 == e13*e02 - e12*e03;"
+        )
+    };
+    assert_errors(&line("e13*e13 == 1 - e23*e23 - e12*e12"), &[]);
+    assert_errors(
+        &line("e23*e23 == 1 - e13*e13 - e12*e12"),
+        &[
+            "4:11: expected relations with unique normal forms, found that this one and `e23 * e23 == 1 - e13 * e13 - e12 * \
+           e12` leave -e23 e13 e02 + e23 e12 e03 - e13^2 e01 - e12^2 e01 + e01 undecided: write another monomial first, or \
+           state that it is 0",
+        ],
+    );
+}
+
+#[test]
+fn relations_whose_rewriting_does_not_end_are_an_error_at_the_relation() {
+    let message = "expected a relation whose first monomial is the greatest in some lexicographic order that suits all \
+                   relations, found none: write another monomial first";
+    for relations in ["e1*e2 == e1*e1 + e2*e2", "e1 == e2, e2 == e1", "e1 == e1*e1"] {
+        assert_errors(
+            &format!("signature (2, 0, 0);\nentity Odd {{ e1, e2 }} where {relations};"),
+            &[&format!("2:29: {message}")],
+        );
+    }
+}
+
+#[test]
+fn a_relation_is_a_polynomial_identity_that_starts_with_its_monomial() {
+    let start =
+        "expected a relation that starts with the monomial to rewrite, such as `s*s == 1 - e12*e12`, found another";
+    let cases = [
+        ("1 == e1*e1", "2:32", start),
+        ("(e1 + e2)*e1 == 1", "2:32", start),
+        ("e1*e1 - e1*e1 == 1", "2:32", start),
+        ("x*x == 1", "2:32", "expected a coefficient (e1, e2), found `x`"),
+        ("e1 ^ e2 == 1", "2:35", "expected `+`, `-` or `*` between coefficients, found `^`"),
+        ("~e1 == 1", "2:32", "expected a polynomial in the coefficients, found another expression"),
+        ("e1 = 1", "2:35", "expected `==`, found `=`"),
+    ];
+    for (relation, place, message) in cases {
+        assert_errors(
+            &format!("signature (2, 0, 0);\nentity Vector {{ e1, e2 }} where {relation};"),
+            &[&format!("{place}: {message}")],
+        );
+    }
+}
+
+#[test]
+fn a_relation_of_a_kernel_names_fields_of_parameters_and_suits_those_of_the_types() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 } where e1*e1 == 1 - e2*e2;
+kernel f(a: Vector) -> Scalar = a | a where a.x == 1;
+kernel g(a: Vector) -> Scalar = a | a
+    where a.e1*a.e2 == 0;",
+        &[
+            "3:45: expected a coefficient (a.e1, a.e2), found `a.x`",
+            "5:11: expected relations with unique normal forms, found that this one and `e1 * e1 == 1 - e2 * e2` leave \
+             a.e2 - a.e2^3 undecided: write another monomial first, or state that it is 0",
+        ],
+    );
+}
+
+// Expressions.
+
+#[test]
+fn functions_take_as_many_arguments_as_they_have() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 }
+kernel f(a: Vector) -> Vector = dual(a, a);
+kernel g(a: Vector) -> Vector = a + commutator(a);
+kernel h(a: Vector) -> Vector = grade(a);
+kernel i(a: Vector) -> Vector = grade(a, 9);
+kernel j(a: Vector) -> Vector = exp();",
+        &[
+            "3:33: expected 1 argument for `dual`, found 2",
+            "4:37: expected 2 arguments for `commutator`, found 1",
+            "5:33: expected 2 arguments for `grade`, found 1",
+            "6:42: expected a grade from 0 to 8 as the second argument, found another expression",
+            "7:33: expected 1 argument for `exp`, found 0",
+        ],
+    );
+}
+
+#[test]
+fn numbers_are_whole_and_divisors_not_0() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 }
+kernel f(a: Vector) -> Vector = a * 0.5;
+kernel g(a: Vector) -> Vector = 99999999999999999999 * a;",
+        &[
+            "3:37: expected a whole number or a quotient of two, found `0.5`",
+            "4:33: expected a whole number of at most 63 bits, found `99999999999999999999`",
+        ],
+    );
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 }
+kernel f(a: Vector) -> Vector = a / 0;
+kernel g(a: Vector) -> Vector = a / a;",
+        &[
+            "3:37: expected a divisor other than 0, found 0",
+            "4:37: expected a whole number as divisor, found an expression",
+        ],
+    );
+}
+
+#[test]
+fn numbers_that_do_not_fit_are_an_error_of_the_kernel_and_never_wrap() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 }
+kernel f(a: Vector) -> Vector = 9223372036854775807 * 9223372036854775807 * 9223372036854775807 * a;",
+        &["3:8: kernel `f`: exact arithmetic overflowed 128-bit rationals"],
+    );
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 }
+kernel f(a: Vector) -> Vector = 1000000007 * 1000000009 * a;",
+        &["3:8: expected numbers whose numerator and denominator fit 32 bits, found 1000000016000000063"],
+    );
+}
+
+// exp and log.
+
+#[test]
+fn exp_and_log_stand_around_the_whole_definition() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Bivector { e12 }
+entity Rotor { s: 1, e12 }
+kernel f(a: Bivector) -> Rotor = exp(a) * 2;
+kernel g(a: Bivector) -> Rotor = -log(a);",
+        &[
+            "4:34: expected `exp` around the whole definition, found it inside an expression",
+            "5:35: expected `log` around the whole definition, found it inside an expression",
+        ],
+    );
+}
+
+#[test]
+fn exp_takes_a_bivector_into_a_type_that_holds_its_exponential() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 }
+entity Bivector { e12 }
+entity Rotor { s: 1, e12 }
+kernel f(a: Vector) -> Rotor = exp(2 * a);
+kernel g(a: Bivector) -> Bivector = exp(a);",
+        &[
+            "5:38: kernel `f`: expected a bivector as the argument of `exp`, found one with 2 a.e1 as the coefficient of `e1`",
+            "6:26: kernel `g`: expected an output that can hold `1`, found none",
+        ],
+    );
+}
+
+#[test]
+fn exp_of_a_bivector_that_can_be_hyperbolic_is_refused() {
+    for (signature, word) in [("1, 1, 0", "e12"), ("1, 1, 1", "e12"), ("2, 1, 0", "e13")] {
+        assert_errors(
+            &format!(
+                "signature ({signature});
+entity Bivector {{ {word} }}
+entity Even {{ s: 1, {word} }}
+kernel f(b: Bivector) -> Even = exp(b);"
+            ),
+            &[
+                "4:8: kernel `f`: expected a bivector whose square is nowhere positive, found one that can be hyperbolic",
+            ],
+        );
+    }
+}
+
+#[test]
+fn exp_of_a_bivector_without_a_closed_form_here_is_refused() {
+    assert_errors(
+        "
+signature (4, 0, 0);
+entity Bivector { e12, e13, e14, e23, e24, e34 }
+entity Even { s: 1, e12, e13, e14, e23, e24, e34, e1234 }
+kernel f(b: Bivector) -> Even = exp(b);",
+        &[
+            "4:8: kernel `f`: expected a bivector whose square is a scalar plus a nilpotent part that commutes with it, \
+           found another",
+        ],
+    );
+}
+
+#[test]
+fn log_takes_the_parameter() {
+    let message = "expected the one parameter of the kernel as the argument of `log`, found something else";
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Rotor { s: 1, e12 } where s*s == 1 - e12*e12;
+entity Bivector { e12 }
+kernel f(r: Rotor) -> Bivector = log(~r);
+kernel g(r: Rotor, q: Rotor) -> Bivector = log(r);",
+        &[&format!("4:38: {message}"), &format!("5:48: {message}")],
+    );
+}
+
+// Syntax.
+
+#[test]
+fn every_item_that_does_not_parse_is_reported() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1 e2 }
+entity Line { e1: , e2 }
+kernel f(a: Line) => Line = a;
+kernel g a: Line -> Line = a;
+entiti Point { e12 }
+export;
+preset pga4d;
+scalar;",
+        &[
+            "2:20: expected `,`, found `e2`",
+            "3:19: expected a blade, found `,`",
+            "4:19: expected `->`, found `=`",
+            "5:10: expected `(`, found `a`",
+            "6:1: expected `signature`, `basis`, `entity`, `kernel`, `preset`, `scalar` or `export`, found `entiti`",
+            "7:7: expected a name for the exported list of kernels, found `;`",
+            "8:8: expected one of the presets `pga3d`, `pga2d`, found `pga4d`",
+            "9:7: expected the path of the module with the traits `Scalar` and `Real`, found `;`",
+        ],
+    );
+}
+
+#[test]
+fn expressions_that_do_not_parse_are_reported_at_the_token() {
+    let cases = [
+        ("a *", "3:36: expected an expression, found `;`"),
+        ("a b", "3:35: expected `;`, found `b`"),
+        ("(a b)", "3:36: expected an operator or `)`, found `b`"),
+        ("(a +)", "3:37: expected an expression, found the end"),
+        ("dual(a b)", "3:40: expected `,`, found `b`"),
+        ("[a]", "3:33: expected an expression, found `[`"),
+        ("a where", "3:40: expected an expression, found `;`"),
+        ("\"a\"", "3:33: expected an expression, found `\"a\"`"),
+    ];
+    for (expression, expected) in cases {
+        assert_errors(
+            &format!("signature (2, 0, 0);\nentity Vector {{ e1, e2 }}\nkernel f(a: Vector) -> Vector = {expression};"),
+            &[expected],
+        );
+    }
+}
+
+#[test]
+fn a_forgotten_semicolon_is_found_where_it_belongs() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 } where e1*e1 == 1 - e2*e2
+kernel f(a: Vector) -> Vector = a;",
+        &["3:1: expected `;`, found `kernel`"],
+    );
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 }
+kernel f(a: Vector) -> Vector = a",
+        &["3:33: expected `;` after this, found the end of the block"],
+    );
+}
+
+#[test]
+fn attributes_other_than_documentation_are_refused() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+#[derive(Debug)]
+entity Vector { e1, e2 }",
+        &["2:3: expected a doc comment, found the attribute `derive`"],
+    );
+}
+
+#[test]
+fn mistakes_of_several_kinds_are_reported_together() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e9 }
+kernel f(a: Nope) -> Vector = a;
+kernel g(a: Vector, b: Nada) -> Nix = a / 0;
+kernel h(a: Vector) -> Vector = c;",
+        &[
+            "2:21: expected a blade of the basis (1 e1 e2 e12), found `e9`",
+            "3:13: expected an entity (Scalar, Vector), found `Nope`",
+            "4:24: expected an entity (Scalar, Vector), found `Nada`",
+            "4:33: expected an entity (Scalar, Vector), found `Nix`",
+            "5:33: expected a parameter (`a`) or a blade, found `c`",
+        ],
+    );
+}
+
+// Any input.
+
+/// Small valid blocks with everything that the grammar has.
+const VALID: [&str; 3] = [
+    "signature ( 2 , 0 , 1 ) ; basis 1 e0 e1 e2 e01 e20 i = e12 e012 ; \
+     entity Line { e1 , e2 , e0 } where e1 * e1 == 1 - e2 * e2 ; entity Point { x : e20 , y : e01 , 1 : i } ; \
+     entity Motor { s : 1 , i , e01 , e20 } where s * s == 1 - i * i , ; \
+     kernel move_point ( m : Motor , p : Point ) -> Point = m >> p ; \
+     kernel product ( a : Line , b : Line ) -> Motor = a * ( b ) ;",
+    "signature ( 2 , 0 , 0 ) ; entity Bivector { e12 } entity Rotor { s : 1 , e12 } where s * s == 1 - e12 * e12 ; \
+     kernel turn ( b : Bivector ) -> Rotor = exp ( - b / 2 ) ; kernel generator ( r : Rotor ) -> Bivector = log ( r ) ; \
+     scalar crate :: scalar ; export small ;",
+    "signature ( 1 , 1 , 0 ) ; entity Vector { e1 , e2 } entity Even { s : 1 , e12 } \
+     kernel f ( a : Vector , b : Vector ) -> Even = commutator ( a , b ) + grade ( a * ~ b , 0 ) ; \
+     kernel g ( a : Vector , k : Scalar ) -> Vector = 3 * a * k & e12 where k * k == 1 , a . e1 == 0 ;",
+];
+
+/// One change of a list of tokens.
+fn change(tokens: &mut Vec<String>, kind: u8, from: usize, to: usize) {
+    let (from, to) = (from % tokens.len(), to % tokens.len());
+    match kind {
+        0 if tokens.len() > 1 => drop(tokens.remove(from)),
+        1 => tokens.insert(to, tokens[from].clone()),
+        2 => tokens.swap(from, to),
+        _ => tokens[to] = tokens[from].clone(),
+    }
+}
+
+#[test]
+fn the_blocks_that_the_token_soup_is_made_of_are_valid() {
+    for block in VALID {
+        assert_errors(block, &[]);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3000))]
+
+    #[test]
+    fn no_input_panics(
+        block in 0..VALID.len(),
+        changes in prop::collection::vec((0..4_u8, any::<usize>(), any::<usize>()), 1..6),
+    ) {
+        let mut tokens: Vec<_> = VALID[block].split_whitespace().map(str::to_owned).collect();
+        for (kind, from, to) in changes {
+            change(&mut tokens, kind, from, to);
+        }
+        // A block with unbalanced brackets is no token stream; Rust refuses it before anybody is asked.
+        if let Ok(tokens) = tokens.join(" ").parse::<TokenStream>()
+            && let Err(errors) = ga_codegen::expand(tokens)
+        {
+            for error in errors {
+                let message = error.to_string();
+                prop_assert!(message.starts_with("expected ") || message.starts_with("kernel `"), "{}", message);
+            }
+        }
+    }
+}

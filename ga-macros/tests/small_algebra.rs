@@ -1,0 +1,99 @@
+//! The macro in a crate that has nothing else: the rotations of space, and plain complex numbers, each defined in a block
+//! of its own. Without `scalar` a block brings the traits of its numbers along.
+
+/// Cl(3,0,0): vectors, and rotors as exponentials of bivectors.
+#[allow(missing_docs, unreachable_pub, reason = "the emitted module is public, this test is not")]
+mod rotations {
+    ga_macros::algebra! {
+        signature (3, 0, 0);
+        basis 1 e1 e2 e3 e12 e31 e23 e123;
+
+        /// Any vector.
+        entity Vector { x: e1, y: e2, z: e3 }
+        /// What generates a rotation.
+        entity Bivector { e23, e31, e12 }
+        /// A rotation.
+        entity Rotor { s: 1, e23, e31, e12 } where s*s == 1 - e23*e23 - e31*e31 - e12*e12;
+
+        /// The rotation b, then the rotation a.
+        kernel compose(a: Rotor, b: Rotor) -> Rotor = a * b;
+        kernel turn(r: Rotor, v: Vector) -> Vector = r >> v;
+        kernel reverse(r: Rotor) -> Rotor = ~r;
+        kernel rotor(b: Bivector) -> Rotor = exp(-b / 2);
+        kernel generator(r: Rotor) -> Bivector = log(r);
+        kernel cross(a: Vector, b: Vector) -> Vector = dual(a ^ b);
+        kernel plane(a: Vector, b: Vector) -> Bivector = a ^ b;
+    }
+}
+
+/// Cl(0,1,0), which is the complex numbers.
+#[allow(missing_docs, unreachable_pub, reason = "the emitted module is public, this test is not")]
+mod complex {
+    ga_macros::algebra! {
+        signature (0, 1, 0);
+        basis 1 i = e1;
+        entity Complex { re: 1, im: i }
+        kernel product(a: Complex, b: Complex) -> Complex = a * b;
+        kernel conjugate(a: Complex) -> Complex = grade_involution(a);
+        kernel norm_squared(a: Complex) -> Scalar = a * grade_involution(a);
+    }
+}
+
+use complex::Complex;
+use rotations::{Bivector, Rotor, Vector, kernels};
+use std::f64::consts::PI;
+
+/// A handful of roundings of numbers about 1.
+const TOLERANCE: f64 = 16.0 * f64::EPSILON;
+
+#[track_caller]
+fn assert_near<const N: usize>(found: [f64; N], expected: [f64; N]) {
+    for (found_one, expected_one) in found.into_iter().zip(expected) {
+        assert!((found_one - expected_one).abs() <= TOLERANCE, "found {found:?}, expected {expected:?}");
+    }
+}
+
+#[test]
+fn the_exponential_turns_counter_clockwise_by_its_angle() {
+    let quarter = kernels::rotor(Bivector::new(0.0, 0.0, PI / 2.0));
+    assert_near(kernels::turn(quarter, Vector::new(1.0, 0.0, 0.0)).to_array(), [0.0, 1.0, 0.0]);
+    assert_near(kernels::turn(quarter, Vector::new(0.0, 1.0, 5.0)).to_array(), [-1.0, 0.0, 5.0]);
+    assert!(quarter.is_unit(TOLERANCE));
+    assert_eq!(kernels::rotor(Bivector::new(0.0, 0.0, 0.0)), Rotor::IDENTITY);
+}
+
+#[test]
+fn the_logarithm_inverts_the_exponential() {
+    let bivector = Bivector::new(0.3, -1.0, 0.7);
+    let halved = bivector * -0.5;
+    assert_near(kernels::generator(kernels::rotor(bivector)).to_array(), halved.to_array());
+}
+
+#[test]
+fn definitions_that_are_operators_become_operators() {
+    let a = kernels::rotor(Bivector::new(0.3, -1.0, 0.7));
+    let b = kernels::rotor(Bivector::new(0.0, 0.4, 0.1));
+    let v = Vector::new(1.0, 2.0, 3.0);
+    assert_eq!(a * b, kernels::compose(a, b));
+    assert_eq!(a >> v, kernels::turn(a, v));
+    assert_near(((a * b) >> v).to_array(), (a >> (b >> v)).to_array());
+    assert_near((a * kernels::reverse(a)).to_array(), Rotor::IDENTITY.to_array());
+    assert_eq!(v ^ v, Bivector::ZERO);
+}
+
+#[test]
+fn kernels_are_generic_over_the_scalar() {
+    let cross = kernels::cross(Vector::new(1.0_f32, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0));
+    assert_eq!(cross, Vector::new(0.0_f32, 0.0, 1.0));
+}
+
+#[test]
+fn complex_numbers_multiply() {
+    let (a, b) = (Complex::new(1.0, 2.0), Complex::new(3.0, -1.0));
+    assert_eq!(a * b, Complex::new(5.0, 5.0));
+    assert_eq!(complex::kernels::norm_squared(a), 5.0);
+    assert_eq!(complex::kernels::conjugate(a), Complex::new(1.0, -2.0));
+    assert_eq!((a + b) - b, a);
+    assert_eq!(Complex::<f64>::IDENTITY * a, a);
+    assert_eq!(format!("{a:.1}"), "1.0 + 2.0 i");
+}

@@ -1,0 +1,68 @@
+//! Every compiled kernel of `pga-motor` against the naive reference.
+//!
+//! The definition of a kernel is read from its preset and interpreted on [`ga_codegen::reference::Multivector`]; the
+//! compiled function is called on the same coefficients. In exact rational arithmetic both must agree without any
+//! tolerance; in `f64` they must agree within a bound on the rounding errors that is computed along with the value.
+
+#[macro_use]
+mod dispatch;
+#[macro_use]
+mod exact;
+mod interpreter;
+mod samples;
+#[macro_use]
+mod suite;
+#[macro_use]
+mod tracked;
+
+use exact::{Exact, irrational};
+use tracked::Tracked;
+
+exact_scalar!(pga_motor::scalar {
+    const EPSILON: Self = Exact::ZERO;
+    const PI: Self = Exact::ZERO;
+    fn from_f64(_: f64) -> Self {
+        irrational()
+    }
+    fn to_f64(self) -> f64 {
+        self.to_f64()
+    }
+});
+
+tracked_scalar!(pga_motor::scalar {
+    const EPSILON: Self = Tracked::new(f64::EPSILON);
+    const PI: Self = Tracked::new(std::f64::consts::PI);
+    fn from_f64(value: f64) -> Self {
+        Self::new(value)
+    }
+    fn to_f64(self) -> f64 {
+        self.value
+    }
+});
+
+mod pga3d {
+    use pga_motor as compiled;
+    use pga_motor::scalar;
+
+    pga_motor::pga3d_kernels!(dispatch);
+    claims!("pga3d");
+}
+
+mod pga2d {
+    use pga_motor::pga2d as compiled;
+    use pga_motor::scalar;
+
+    pga_motor::pga2d_kernels!(dispatch);
+    claims!("pga2d");
+}
+
+/// A suite that cannot fail claims nothing: one kernel exchanged for another with the same types is found out.
+#[test]
+#[should_panic(expected = "motor_reverse")]
+fn a_wrong_kernel_is_found_out() {
+    let mut table = pga3d::table::<Exact>();
+    let find = |name: &str| table.iter().position(|kernel| kernel.name == name).expect("a kernel of pga3d");
+    let (reverse, unchanged) = (find("motor_reverse"), find("even_from_motor"));
+    table[reverse].call = table[unchanged].call;
+    suite::agree_exactly("pga3d", &table);
+}

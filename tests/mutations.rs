@@ -1,0 +1,282 @@
+//! The proof refutes wrong programs: of every emitted program, every mutant that differs from it in one operation.
+//!
+//! A mutant that the proof accepts must compute the same function. There are a few, such as a root with the other sign
+//! where only its square and even functions of it are used. Each is evaluated in floating point next to the original, on
+//! inputs that satisfy their types' relations, and has to be on the list [`EQUAL`] with the reason.
+
+// Of what the differential tests have, only the samples are used here.
+#[path = "differential/exact.rs"]
+#[allow(dead_code, unused_macros)]
+mod exact;
+#[path = "differential/samples.rs"]
+#[allow(dead_code)]
+mod samples;
+
+use ga_codegen::Compiled;
+use ga_codegen::kernel::{Analytic, Definition, Kernel};
+use ga_codegen::program::{FloatDomain, Operation, Program, Value};
+use ga_codegen::proof::{Refutation, prove};
+use ga_codegen::symbolic::Rational;
+use samples::Random;
+use std::collections::BTreeSet;
+use std::fmt;
+
+/// A change of one operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Mutation {
+    NegatedResult,
+    AddedForSubtracted,
+    SubtractedForAdded,
+    SwappedDifference,
+    DroppedNegation,
+    DroppedDoubling,
+    DroppedRoot,
+    NegatedLimit,
+    SwappedQuotient,
+    SwappedAtan2,
+    SineForCosine,
+    CosineForSine,
+}
+
+/// A mutation of the operation `at`, a kind of operation in words, and the program with it.
+struct Mutant {
+    mutation: Mutation,
+    operation: &'static str,
+    at: Value,
+    program: Program,
+}
+
+const EVEN: &str = "the cosine of the root and the quotient of its sine and itself are even in the root";
+const EVEN_ANGLE: &str = "the quotient of the angle and the root is even: the angle changes its sign with the root";
+const VANISHING: &str =
+    "s e0123 - e23 e01 - e31 e02 - e12 e03 is 0 for every motor, and this only adds a multiple of it";
+
+/// Mutants that are equal to their originals: preset, kernel, operation and mutation, and why.
+const EQUAL: [(&str, &str, &str, Mutation, &str); 10] = [
+    ("pga3d", "line_exp", "root", Mutation::NegatedResult, EVEN),
+    ("pga3d", "motor_log", "root", Mutation::NegatedResult, EVEN_ANGLE),
+    ("pga3d", "motor_transform_motor", "difference", Mutation::NegatedResult, VANISHING),
+    ("pga3d", "motor_transform_motor", "difference", Mutation::SwappedDifference, VANISHING),
+    ("pga3d", "motor_transform_motor", "product", Mutation::NegatedResult, VANISHING),
+    ("pga3d", "motor_transform_motor", "doubling", Mutation::NegatedResult, VANISHING),
+    ("pga3d", "motor_transform_motor", "doubling", Mutation::DroppedDoubling, VANISHING),
+    ("pga3d", "motor_transform_motor", "sum", Mutation::SubtractedForAdded, VANISHING),
+    ("pga2d", "bivector_exp", "root", Mutation::NegatedResult, EVEN),
+    ("pga2d", "motor_log", "root", Mutation::NegatedResult, EVEN_ANGLE),
+];
+
+fn name(operation: Operation) -> &'static str {
+    match operation {
+        Operation::Input(_) => "input",
+        Operation::Constant(_) => "constant",
+        Operation::Add(..) => "sum",
+        Operation::Sub(..) => "difference",
+        Operation::Mul(..) => "product",
+        Operation::Neg(_) => "negation",
+        Operation::Double(_) => "doubling",
+        Operation::Sqrt(_) => "root",
+        Operation::Sin(_) => "sine",
+        Operation::Cos(_) => "cosine",
+        Operation::Atan2(..) => "arc tangent",
+        Operation::Quotient(..) => "quotient",
+    }
+}
+
+/// What can take the place of an operation.
+fn replacements(operation: Operation) -> Vec<(Mutation, Operation)> {
+    use Mutation::*;
+    match operation {
+        Operation::Add(a, b) => {
+            vec![(SubtractedForAdded, Operation::Sub(a, b)), (SubtractedForAdded, Operation::Sub(b, a))]
+        }
+        Operation::Sub(a, b) => {
+            vec![(AddedForSubtracted, Operation::Add(a, b)), (SwappedDifference, Operation::Sub(b, a))]
+        }
+        Operation::Quotient(a, b, limit) => vec![
+            (NegatedLimit, Operation::Quotient(a, b, limit.neg())),
+            (SwappedQuotient, Operation::Quotient(b, a, limit)),
+        ],
+        Operation::Atan2(y, x) => vec![(SwappedAtan2, Operation::Atan2(x, y))],
+        Operation::Sin(angle) => vec![(CosineForSine, Operation::Cos(angle))],
+        Operation::Cos(angle) => vec![(SineForCosine, Operation::Sin(angle))],
+        _ => Vec::new(),
+    }
+}
+
+/// The operand that an operation can be dropped for.
+fn dropped(operation: Operation) -> Option<(Mutation, Value)> {
+    match operation {
+        Operation::Neg(a) => Some((Mutation::DroppedNegation, a)),
+        Operation::Double(a) => Some((Mutation::DroppedDoubling, a)),
+        Operation::Sqrt(a) => Some((Mutation::DroppedRoot, a)),
+        _ => None,
+    }
+}
+
+/// Whether there is nothing in the operation to change: an input, or the constant 0, which is its own negative.
+fn is_fixed(operation: Operation) -> bool {
+    matches!(operation, Operation::Input(_) | Operation::Constant(Rational::ZERO))
+}
+
+/// Every mutant of a program.
+fn mutants(program: &Program) -> Vec<Mutant> {
+    let mut mutants = Vec::new();
+    for (at, &operation) in program.operations.iter().enumerate() {
+        if is_fixed(operation) {
+            continue;
+        }
+        let mut offer = |mutation, program| {
+            mutants.push(Mutant { mutation, operation: name(operation), at, program });
+        };
+        offer(Mutation::NegatedResult, with_negated_result(program, at));
+        for (mutation, replacement) in replacements(operation) {
+            let mut mutant = program.clone();
+            mutant.operations[at] = replacement;
+            offer(mutation, mutant);
+        }
+        if let Some((mutation, operand)) = dropped(operation) {
+            offer(mutation, with_redirected_uses(program, at, operand));
+        }
+    }
+    mutants
+}
+
+/// The program with another value used wherever that of `at` was.
+fn with_redirected_uses(program: &Program, at: Value, instead: Value) -> Program {
+    let redirect = |value: Value| if value == at { instead } else { value };
+    Program {
+        operations: program.operations.iter().map(|operation| mapped(*operation, redirect)).collect(),
+        outputs: program.outputs.iter().map(|&output| redirect(output)).collect(),
+    }
+}
+
+/// The program with a negation between an operation and its uses.
+fn with_negated_result(program: &Program, at: Value) -> Program {
+    // The negation takes the place behind `at`, so what stood there and behind it moves on by one.
+    let moved = |value: Value| if value >= at { value + 1 } else { value };
+    let mut operations = Vec::with_capacity(program.operations.len() + 1);
+    for (value, operation) in program.operations.iter().enumerate() {
+        operations.push(mapped(*operation, moved));
+        if value == at {
+            operations.push(Operation::Neg(at));
+        }
+    }
+    Program { operations, outputs: program.outputs.iter().map(|&output| moved(output)).collect() }
+}
+
+fn mapped(operation: Operation, map: impl Fn(Value) -> Value) -> Operation {
+    match operation {
+        Operation::Input(_) | Operation::Constant(_) => operation,
+        Operation::Add(a, b) => Operation::Add(map(a), map(b)),
+        Operation::Sub(a, b) => Operation::Sub(map(a), map(b)),
+        Operation::Mul(a, b) => Operation::Mul(map(a), map(b)),
+        Operation::Neg(a) => Operation::Neg(map(a)),
+        Operation::Double(a) => Operation::Double(map(a)),
+        Operation::Sqrt(a) => Operation::Sqrt(map(a)),
+        Operation::Sin(a) => Operation::Sin(map(a)),
+        Operation::Cos(a) => Operation::Cos(map(a)),
+        Operation::Atan2(a, b) => Operation::Atan2(map(a), map(b)),
+        Operation::Quotient(a, b, limit) => Operation::Quotient(map(a), map(b), limit),
+    }
+}
+
+/// Inputs that satisfy the relations, in `f64`; those of exp with both signs, and down to where limits come in.
+fn rows(definition: &Definition, kernel: &Kernel) -> Vec<Vec<f64>> {
+    let mut random = Random(5);
+    let mut rows = Vec::new();
+    for _ in 0..40 {
+        rows.push(samples::row(definition, kernel, &mut random).iter().map(|x| x.to_f64()).collect::<Vec<_>>());
+    }
+    if kernel.analytic == Some(Analytic::Exp) {
+        let scaled = |factor: f64| rows.iter().map(move |row| row.iter().map(|x| x * factor).collect::<Vec<_>>());
+        rows = [1.0, -1.0, 1e-3, 0.0].into_iter().flat_map(scaled).collect();
+    }
+    rows
+}
+
+/// Whether two programs give the same on every row, up to rounding.
+fn same_function(original: &Program, mutant: &Program, rows: &[Vec<f64>]) -> bool {
+    rows.iter().all(|row| {
+        let Ok(expected) = original.evaluate(&FloatDomain, row);
+        let Ok(found) = mutant.evaluate(&FloatDomain, row);
+        // Coefficients are at most 9 and kernels of degree at most 4, so values are below 1e5 and rounding errors far
+        // below this tolerance, while a sign is far above it.
+        expected.iter().zip(&found).all(|(expected, found)| (expected - found).abs() <= 1e-9 * (1.0 + expected.abs()))
+    })
+}
+
+#[derive(Default)]
+struct Totals {
+    kernels: usize,
+    mutants: usize,
+    refuted: usize,
+    equal: Vec<(String, &'static str, Mutation, Value)>,
+}
+
+impl fmt::Display for Totals {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (mutants, refuted, equal) = (self.mutants, self.refuted, self.equal.len());
+        writeln!(
+            f,
+            "{} kernels, {mutants} mutants, {refuted} refuted, {equal} equal to their originals:",
+            self.kernels
+        )?;
+        for (kernel, operation, mutation, at) in &self.equal {
+            let reason = EQUAL.iter().find(|(_, k, o, m, _)| (*k, o, m) == (kernel, operation, mutation));
+            let reason = reason.map_or("not on the list", |(.., reason)| reason);
+            writeln!(f, "  {kernel}: {mutation:?} of the {operation} at {at}: {reason}")?;
+        }
+        Ok(())
+    }
+}
+
+fn mutate(definition: &Definition, kernel: &Kernel, compiled: &Compiled, totals: &mut Totals) {
+    totals.kernels += 1;
+    let rows = rows(definition, kernel);
+    for mutant in mutants(&compiled.program) {
+        totals.mutants += 1;
+        if let Err(refutation) = prove(&compiled.specification, &mutant.program) {
+            let settled =
+                !matches!(refutation, Refutation::Overflow | Refutation::OutputCount | Refutation::Imprecise(_));
+            assert!(settled, "{}: given up, not refuted: {refutation}", kernel.name);
+            totals.refuted += 1;
+            continue;
+        }
+        let Mutant { mutation, operation, at, program } = mutant;
+        assert!(
+            same_function(&compiled.program, &program, &rows),
+            "{}: the proof accepts {mutation:?} of the {operation} at {at}, and it computes something else",
+            kernel.name
+        );
+        totals.equal.push((kernel.name.clone(), operation, mutation, at));
+    }
+}
+
+fn refute_mutants_of(preset: &str) {
+    let text = ga_codegen::preset::text(preset).expect("a preset");
+    let definition = ga_codegen::define(text.parse().expect("tokens")).expect("a preset without errors");
+    let compiled = ga_codegen::compile(&definition).expect("a preset that is proved");
+    let mut totals = Totals::default();
+    for (kernel, compiled) in definition.kernels.iter().zip(&compiled) {
+        mutate(&definition, kernel, compiled, &mut totals);
+    }
+    println!("{preset}: {totals}");
+    assert_eq!(totals.kernels, definition.kernels.len());
+    assert_eq!(totals.refuted + totals.equal.len(), totals.mutants);
+    let keys: BTreeSet<_> = totals.equal.iter().map(|(kernel, o, m, _)| (preset, kernel.as_str(), *o, *m)).collect();
+    let listed: BTreeSet<_> = EQUAL.iter().map(|&(p, k, o, m, _)| (p, k, o, m)).filter(|key| key.0 == preset).collect();
+    let unlisted: Vec<_> = keys.difference(&listed).collect();
+    assert!(unlisted.is_empty(), "{preset}: equal mutants that are not on the list EQUAL: {unlisted:#?}");
+    let unneeded: Vec<_> = listed.difference(&keys).collect();
+    assert!(unneeded.is_empty(), "{preset}: entries of the list EQUAL that no mutant needs any more: {unneeded:#?}");
+}
+
+#[test]
+fn every_mutant_in_space_is_refuted_or_listed_as_equal() {
+    refute_mutants_of("pga3d");
+}
+
+#[test]
+fn every_mutant_in_the_plane_is_refuted_or_listed_as_equal() {
+    refute_mutants_of("pga2d");
+}
