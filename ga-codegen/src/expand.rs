@@ -2,18 +2,31 @@
 
 use crate::emit;
 use crate::factor::{self, factor};
-use crate::kernel::{Definition, Kernel, Specification, SpecificationError};
+use crate::kernel::{Definition, Kernel, Specification, SpecificationError, split};
 use crate::lower::{Errors, lower};
-use crate::program::{CostModel, Count, Program};
+use crate::program::{CostModel, Count, Program, Recipe};
 use crate::proof::{Proof, Refutation, prove};
 use crate::syntax::parse;
 use proc_macro2::TokenStream;
+
+/// Which part of a kernel a program is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// All of it.
+    Whole,
+    /// What its uniform inputs determine, as a record.
+    Prepare,
+    /// The rest: from the record and the varying inputs to the output.
+    Apply,
+}
 
 /// A kernel with its meaning, its program and the proof that they are the same.
 #[derive(Clone, Debug)]
 pub struct Compiled {
     /// The kernel, as an index into [`Definition::kernels`].
     pub kernel: usize,
+    /// The part of the kernel.
+    pub part: Part,
     /// What the program is to be cheap in.
     pub model: CostModel,
     /// The name of the emitted function.
@@ -39,8 +52,8 @@ pub struct Compiled {
 /// item      := "signature" "(" p "," q "," r ")" ";"
 ///            | "basis" ( BLADE | NAME "=" BLADE )* ";"
 ///            | DOC* "entity" NAME "{" component,* "}" ( ";" | "where" relation,+ ";" )?
-///            | DOC* "kernel" NAME "(" ( NAME ":" ENTITY ),* ")" "->" ENTITY "=" expression ( "where" relation,+ )?
-///                   ( "cost" MODEL,+ )? ";"
+///            | DOC* "kernel" NAME "(" ( "uniform"? NAME ":" ENTITY ),* ")" "->" ENTITY "=" expression
+///                   ( "where" relation,+ )? ( "cost" MODEL,+ )? ( "hoist" STRUCT "," PREPARE "," APPLY )? ";"
 ///            | "recipe" KERNEL MODEL "{" ( ROW "=" value ";" )* "}"
 ///            | "preset" NAME ";"       the items of a preset, in place
 ///            | "scalar" PATH ";"       the module that has the traits Scalar and Real; emitted too where it is not given
@@ -64,6 +77,8 @@ pub struct Compiled {
 ///
 /// - A cost model is `flops` (the default), `fma` or `latency`, see [`CostModel`]. A kernel is emitted once for each of its
 ///   models: under its name for the first, with `_MODEL` behind it for the others.
+/// - A kernel with `uniform` inputs, those that stay the same over many calls, is emitted in two parts as well: a function
+///   from them to a struct, and one, linear in the other inputs, from the struct to the output.
 /// - A recipe is what a search left behind, a program row by row. Expansion replays and proves it instead of searching.
 ///
 /// # What comes out
@@ -107,15 +122,38 @@ pub fn compile(definition: &Definition) -> syn::Result<Vec<Compiled>> {
 fn compile_kernel(definition: &Definition, index: usize) -> syn::Result<Vec<Compiled>> {
     let kernel = &definition.kernels[index];
     let specification = specify(definition, kernel)?;
-    let expanded = factor::expanded_count(&specification).map_err(|found| at(kernel, found.to_string()))?;
-    let mut variants = Vec::new();
+    let mut programs = Vec::new();
     for (place, &model) in kernel.models.iter().enumerate() {
-        let (program, proof) = proved_program(definition, kernel, &specification, model)?;
         let name = if place == 0 { kernel.name.clone() } else { format!("{}_{model}", kernel.name) };
-        let specification = specification.clone();
-        variants.push(Compiled { kernel: index, model, name, specification, program, proof, expanded });
+        programs.push(compile_part(definition, index, Part::Whole, name, &kernel.name, model, specification.clone())?);
     }
-    Ok(variants)
+    if let Some(hoist) = &kernel.hoist {
+        let (prepare, apply) = split(kernel, &specification)
+            .map_err(|found| syn::Error::new(hoist.span, format!("kernel `{}`: {found}", kernel.name)))?;
+        let model = kernel.models[0];
+        for (part, name, specification) in
+            [(Part::Prepare, &hoist.prepare, prepare), (Part::Apply, &hoist.apply, apply)]
+        {
+            programs.push(compile_part(definition, index, part, name.clone(), name, model, specification)?);
+        }
+    }
+    Ok(programs)
+}
+
+fn compile_part(
+    definition: &Definition,
+    index: usize,
+    part: Part,
+    name: String,
+    recipe: &str,
+    model: CostModel,
+    specification: Specification,
+) -> syn::Result<Compiled> {
+    let kernel = &definition.kernels[index];
+    let expanded = factor::expanded_count(&specification).map_err(|found| at(kernel, found.to_string()))?;
+    let recipe = definition.recipe(recipe, model);
+    let (program, proof) = proved_program(kernel, &specification, recipe, model)?;
+    Ok(Compiled { kernel: index, part, model, name, specification, program, proof, expanded })
 }
 
 /// The meaning of a kernel, errors at the output type where that is to blame.
@@ -134,21 +172,21 @@ fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specificatio
 
 /// The program of the recipe, if there is one, else the cheapest that is found at once; proved either way.
 fn proved_program(
-    definition: &Definition,
     kernel: &Kernel,
     specification: &Specification,
+    recipe: Option<&Recipe>,
     model: CostModel,
 ) -> syn::Result<(Program, Proof)> {
-    if let Some(recipe) = definition.recipe(&kernel.name, model) {
+    if let Some(recipe) = recipe {
         let replayed = factor::replay(specification, recipe).and_then(|program| {
             let proof = prove(specification, &program).map_err(|refutation| refutation.to_string())?;
             Ok((program, proof))
         });
         return replayed.map_err(|reason| {
-            let name = &kernel.name;
+            let (name, owner) = (&recipe.kernel, &kernel.name);
             let message = format!(
-                "expected a recipe that fits kernel `{name}`, found that {reason}: renew it with `ga-codegen search \
-                 DEFINITION --kernel {name}`"
+                "expected a recipe that fits `{name}`, found that {reason}: renew it with `ga-codegen search DEFINITION \
+                 --kernel {owner}`"
             );
             syn::Error::new(recipe.span, message)
         });

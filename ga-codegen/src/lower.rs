@@ -5,10 +5,10 @@ mod expression;
 mod recipe;
 
 use crate::algebra::{Basis, Signature};
-use crate::kernel::{Component, ComponentValue, Definition, Entity, Kernel, Parameter, Statement};
+use crate::kernel::{Component, ComponentValue, Definition, Entity, Hoist, Kernel, Parameter, Statement};
 use crate::program::{CostModel, Recipe};
 use crate::symbolic::{Rational, Relation, Relations, RelationsError, Symbol};
-use crate::syntax::{Item, Name, RawComponent, RawKernel, RawRelation};
+use crate::syntax::{Item, Name, RawComponent, RawKernel, RawParameter, RawRelation};
 use expression::Scope;
 use proc_macro2::{Span, TokenStream};
 use std::collections::BTreeMap;
@@ -103,7 +103,7 @@ pub(crate) fn read_recipe(text: &str) -> syn::Result<Recipe> {
 /// Takes a recipe for a program that the definition asks for, once.
 fn check_recipe(definition: &mut Definition, recipe: Recipe, errors: &mut Errors) {
     let (name, model) = (&recipe.kernel, recipe.model);
-    let wanted = definition.kernel(name).is_some_and(|kernel| kernel.models.contains(&model));
+    let wanted = definition.kernels.iter().any(|kernel| kernel.has_program(name, model));
     let twice = definition.recipes.iter().any(|other| other.kernel == *name && other.model == model);
     if !wanted {
         errors.push(recipe.span, format!("expected a kernel with the cost model {model}, found none named `{name}`"));
@@ -246,7 +246,7 @@ fn find_entity(definition: &Definition, name: &Name, errors: &mut Errors) -> Opt
 fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -> Option<Kernel> {
     let mut parameters: Vec<Parameter> = Vec::new();
     let mut complete = true;
-    for (name, entity) in &raw.parameters {
+    for RawParameter { name, entity, .. } in &raw.parameters {
         if parameters.iter().any(|parameter| parameter.name == name.text) {
             errors.push(name.span, format!("expected parameters with distinct names, found `{}` twice", name.text));
         }
@@ -285,6 +285,8 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
     if models.is_empty() {
         models.push(CostModel::default());
     }
+    let uniform: Vec<bool> = raw.parameters.iter().map(|parameter| parameter.uniform).collect();
+    let hoist = lower_hoist(raw, analytic.is_some(), errors);
     Some(Kernel {
         name: raw.name.text.clone(),
         docs: raw.docs.clone(),
@@ -294,9 +296,32 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
         expression,
         statements,
         models,
+        uniform,
+        hoist,
         span: raw.name.span,
         output_span: raw.output.span,
     })
+}
+
+/// The names of a kernel's parts; `uniform` and `hoist` go together.
+fn lower_hoist(raw: &RawKernel, analytic: bool, errors: &mut Errors) -> Option<Hoist> {
+    let marked = raw.parameters.iter().filter(|parameter| parameter.uniform).count();
+    let Some([record, prepare, apply]) = &raw.hoist else {
+        if let Some(parameter) = raw.parameters.iter().find(|parameter| parameter.uniform) {
+            let message = "expected `hoist STRUCT, PREPARE, APPLY` after the definition of a kernel with a `uniform` \
+                 parameter, found none";
+            errors.push(parameter.name.span, message);
+        }
+        return None;
+    };
+    if marked == 0 || marked == raw.parameters.len() || analytic {
+        let message =
+            "expected `hoist` at a polynomial kernel with `uniform` and other parameters, found another kernel";
+        errors.push(record.span, message);
+        return None;
+    }
+    let [record_name, prepare, apply] = [record, prepare, apply].map(|name| name.text.clone());
+    Some(Hoist { record: record_name, prepare, apply, span: record.span })
 }
 
 fn lower_kernel_relations(

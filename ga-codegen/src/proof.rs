@@ -100,7 +100,7 @@ impl std::error::Error for Refutation {}
 /// # Errors
 /// The first [`Refutation`].
 pub fn prove(specification: &Specification, program: &Program) -> Result<Proof, Refutation> {
-    if program.outputs.len() != specification.output.fields().count() {
+    if program.outputs.len() != specification.fields.len() {
         return Err(Refutation::OutputCount);
     }
     match specification.analytic {
@@ -114,11 +114,10 @@ fn prove_polynomials(specification: &Specification, program: &Program) -> Result
     let inputs: Vec<_> = (0..specification.coefficients.len()).map(|s| Polynomial::symbol(s as Symbol)).collect();
     let computed = program.evaluate(&PolynomialDomain, &inputs)?;
     let names = specification.names();
-    let fields = specification.output.fields().map(|(field, _)| field);
-    for ((field, computed), specified) in fields.zip(&computed).zip(specification.outputs()) {
-        let difference = specification.relations.difference(computed, &specified)?;
+    for ((field, computed), specified) in specification.fields.iter().zip(&computed).zip(&specification.outputs) {
+        let difference = specification.relations.difference(computed, specified)?;
         if !difference.is_zero() {
-            return Err(Refutation::Different(field.to_owned(), difference.display(&names)));
+            return Err(Refutation::Different(field.clone(), difference.display(&names)));
         }
     }
     Ok(Proof::Exact)

@@ -60,11 +60,20 @@ pub(crate) struct RawRelation {
 pub(crate) struct RawKernel {
     pub(crate) docs: Vec<String>,
     pub(crate) name: Name,
-    pub(crate) parameters: Vec<(Name, Name)>,
+    pub(crate) parameters: Vec<RawParameter>,
     pub(crate) output: Name,
     pub(crate) expression: RawExpression,
     pub(crate) relations: Vec<RawRelation>,
     pub(crate) models: Vec<Name>,
+    pub(crate) hoist: Option<[Name; 3]>,
+}
+
+/// A parameter of a kernel.
+#[derive(Clone, Debug)]
+pub(crate) struct RawParameter {
+    pub(crate) uniform: bool,
+    pub(crate) name: Name,
+    pub(crate) entity: Name,
 }
 
 /// An expression whose names are not resolved.
@@ -354,9 +363,13 @@ fn relations(input: ParseStream) -> syn::Result<Vec<RawRelation>> {
 fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
     let kernel_name = name(input, "the name of a kernel")?;
     let parameter = |input: ParseStream| {
-        let parameter = name(input, "the name of a parameter")?;
+        let mut parameter = name(input, "the name of a parameter")?;
+        let uniform = parameter.text == "uniform" && !input.peek(Token![:]);
+        if uniform {
+            parameter = name(input, "the name of a parameter")?;
+        }
         token::<Token![:]>(input, "`:`")?;
-        Ok((parameter, name(input, "an entity")?))
+        Ok(RawParameter { uniform, name: parameter, entity: name(input, "an entity")? })
     };
     let parameters = comma_separated(&parentheses(input)?, parameter)?;
     token::<Token![->]>(input, "`->`")?;
@@ -364,28 +377,40 @@ fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
     token::<Token![=]>(input, "`=`")?;
     let expression = expression(input, 0)?;
     let relations = relations(input)?;
-    let models = models(input)?;
-    Ok(Item::Kernel(RawKernel { docs, name: kernel_name, parameters, output, expression, relations, models }))
+    let (models, hoist) = clauses(input)?;
+    Ok(Item::Kernel(RawKernel { docs, name: kernel_name, parameters, output, expression, relations, models, hoist }))
 }
 
-/// `cost flops, fma`
-fn models(input: ParseStream) -> syn::Result<Vec<Name>> {
-    let mut models = Vec::new();
-    if input.peek(Token![;]) || input.is_empty() {
-        return Ok(models);
-    }
-    let keyword = any_ident(input, "an operator, `where`, `cost` or `;`")?;
-    if keyword != "cost" {
-        let message = format!("expected an operator, `where`, `cost` or `;`, found `{keyword}`");
-        return Err(syn::Error::new(keyword.span(), message));
-    }
-    loop {
-        models.push(name(input, "a cost model")?);
-        if !input.peek(Token![,]) {
-            return Ok(models);
+/// `cost flops, fma` and `hoist Record, prepare, apply`, in this order.
+fn clauses(input: ParseStream) -> syn::Result<(Vec<Name>, Option<[Name; 3]>)> {
+    let (mut models, mut hoist) = (Vec::new(), None);
+    while !input.peek(Token![;]) && !input.is_empty() {
+        let keyword = any_ident(input, "an operator, `where`, `cost`, `hoist` or `;`")?;
+        if keyword == "cost" && models.is_empty() && hoist.is_none() {
+            models = names(input, "a cost model")?;
+        } else if keyword == "hoist" && hoist.is_none() {
+            let found = names(input, "a name")?;
+            let count = found.len();
+            hoist = Some(found.try_into().map_err(|_| {
+                let message = format!("expected `hoist STRUCT, PREPARE, APPLY`, found {count} names");
+                syn::Error::new(keyword.span(), message)
+            })?);
+        } else {
+            let message = format!("expected an operator, `where`, `cost`, `hoist` or `;`, found `{keyword}`");
+            return Err(syn::Error::new(keyword.span(), message));
         }
-        input.parse::<Token![,]>()?;
     }
+    Ok((models, hoist))
+}
+
+/// Names between commas.
+fn names(input: ParseStream, expected: &str) -> syn::Result<Vec<Name>> {
+    let mut names = vec![name(input, expected)?];
+    while input.peek(Token![,]) {
+        input.parse::<Token![,]>()?;
+        names.push(name(input, expected)?);
+    }
+    Ok(names)
 }
 
 fn scalar(input: ParseStream) -> syn::Result<Item> {

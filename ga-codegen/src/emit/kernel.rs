@@ -2,8 +2,8 @@
 
 use super::body::{access, body};
 use super::{doc, entity_type, ident};
-use crate::expand::Compiled;
-use crate::kernel::{Definition, Kernel};
+use crate::expand::{Compiled, Part};
+use crate::kernel::{Definition, Hoist, Kernel};
 use crate::program::{Count, Operation, Program};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -18,39 +18,23 @@ pub(super) fn needs_real(program: &Program) -> bool {
     })
 }
 
-/// The function of a kernel, its definition, assumptions and cost above it.
+/// The function of a kernel or of a part of one, its definition, assumptions and cost above it; the struct between the
+/// parts comes with the first.
 pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Result<TokenStream> {
     let kernel = &definition.kernels[compiled.kernel];
-    let inputs: Vec<_> = compiled
-        .specification
-        .coefficients
-        .iter()
-        .map(|coefficient| access(&kernel.parameters[coefficient.parameter].name, &coefficient.field))
-        .collect();
-    let reserved: Vec<_> = kernel.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+    let parameter_name = |index: usize| kernel.parameters.get(index).map_or(Hoist::RECORD, |p| p.name.as_str());
+    let coefficients = &compiled.specification.coefficients;
+    let inputs: Vec<_> = coefficients.iter().map(|c| access(parameter_name(c.parameter), &c.field)).collect();
+    let mut reserved: Vec<_> = kernel.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+    reserved.push(Hoist::RECORD);
     let body = body(&compiled.program, &inputs, &reserved, kernel.span)?;
-    let parameters = kernel.parameters.iter().enumerate().map(|(index, parameter)| {
-        let used = |operation: &Operation| match operation {
-            Operation::Input(input) => compiled.specification.coefficients[*input].parameter == index,
-            _ => false,
-        };
-        let used = compiled.program.operations.iter().any(used);
-        let name = if used { ident(&parameter.name) } else { format_ident!("_{}", parameter.name) };
-        let entity = entity_type(&definition.entities[parameter.entity]);
-        quote!(#name: #entity)
-    });
-    let output = &definition.entities[kernel.output];
-    let (output_type, outputs) = (entity_type(output), &body.outputs);
-    let result = if output.is_scalar() {
-        quote!(#(#outputs)*)
-    } else {
-        let (name, fields) = (ident(&output.name), output.fields().map(|(field, _)| ident(field)));
-        quote!(#name { #(#fields: #outputs),* })
-    };
-    let (docs, name, statements) =
-        (doc(&documentation(definition, kernel, compiled)), ident(&compiled.name), body.statements);
+    let parameters = parameters(definition, compiled);
+    let (record, output_type, result) = output(definition, compiled, &body.outputs);
+    let (docs, name) = (doc(&documentation(definition, compiled)), ident(&compiled.name));
     let bound = if needs_real(&compiled.program) { quote!(Real) } else { quote!(Scalar) };
+    let statements = body.statements;
     Ok(quote! {
+        #record
         #docs
         #[inline]
         pub fn #name<T: #bound>(#(#parameters),*) -> #output_type {
@@ -60,12 +44,96 @@ pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Res
     })
 }
 
-fn documentation(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> Vec<String> {
+/// The parameters of a function; an underscore before the names of those that are not used.
+fn parameters(definition: &Definition, compiled: &Compiled) -> Vec<TokenStream> {
+    let kernel = &definition.kernels[compiled.kernel];
+    let record = kernel.hoist.as_ref().filter(|_| compiled.part == Part::Apply).map(|hoist| {
+        let (name, record) = (ident(Hoist::RECORD), ident(&hoist.record));
+        quote!(#name: #record<T>)
+    });
+    let own = kernel.parameters.iter().enumerate().filter(|&(index, _)| match compiled.part {
+        Part::Whole => true,
+        Part::Prepare => kernel.uniform[index],
+        Part::Apply => !kernel.uniform[index],
+    });
+    let own = own.map(|(index, parameter)| {
+        let used = |operation: &Operation| match operation {
+            Operation::Input(input) => compiled.specification.coefficients[*input].parameter == index,
+            _ => false,
+        };
+        let used = compiled.program.operations.iter().any(used);
+        let name = if used { ident(&parameter.name) } else { format_ident!("_{}", parameter.name) };
+        let entity = entity_type(&definition.entities[parameter.entity]);
+        quote!(#name: #entity)
+    });
+    record.into_iter().chain(own).collect()
+}
+
+/// The struct of a record where the function makes one, the return type, and the expression for the result.
+fn output(
+    definition: &Definition,
+    compiled: &Compiled,
+    outputs: &[TokenStream],
+) -> (TokenStream, TokenStream, TokenStream) {
+    let kernel = &definition.kernels[compiled.kernel];
+    let output = &definition.entities[kernel.output];
+    let fields: Vec<_> = compiled.specification.fields.iter().map(|field| ident(field)).collect();
+    match kernel.hoist.as_ref().filter(|_| compiled.part == Part::Prepare) {
+        Some(hoist) => {
+            let name = ident(&hoist.record);
+            (record(kernel, hoist, compiled), quote!(#name<T>), quote!(#name { #(#fields: #outputs),* }))
+        }
+        None if output.is_scalar() => (TokenStream::new(), entity_type(output), quote!(#(#outputs)*)),
+        None => {
+            let name = ident(&output.name);
+            (TokenStream::new(), entity_type(output), quote!(#name { #(#fields: #outputs),* }))
+        }
+    }
+}
+
+/// The struct between the parts of a kernel.
+fn record(kernel: &Kernel, hoist: &Hoist, compiled: &Compiled) -> TokenStream {
+    let name = ident(&hoist.record);
+    let uniform = kernel.parameters.iter().zip(&kernel.uniform).filter(|(_, uniform)| **uniform);
+    let uniform: Vec<_> = uniform.map(|(parameter, _)| format!("`{}`", parameter.name)).collect();
+    let text = format!(
+        " What {} determines in `{}`: made by [`{}`], used by [`{}`].",
+        uniform.join(", "),
+        kernel.definition(),
+        hoist.prepare,
+        hoist.apply
+    );
+    let fields = compiled.specification.fields.iter().map(|field| {
+        let (output, input) = field.split_once('_').unwrap_or((field, "1"));
+        let text = match input {
+            "1" => format!(" What is always added to `{output}`."),
+            _ => format!(" How much of `{input}` goes into `{output}`."),
+        };
+        let field = ident(field);
+        quote!(#[doc = #text] pub #field: T)
+    });
+    quote! {
+        #[doc = #text]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[repr(C)]
+        pub struct #name<T> {
+            #(#fields),*
+        }
+    }
+}
+
+fn documentation(definition: &Definition, compiled: &Compiled) -> Vec<String> {
+    let kernel = &definition.kernels[compiled.kernel];
     let mut lines = kernel.docs.clone();
     if !lines.is_empty() {
         lines.push(String::new());
     }
-    lines.push(format!("`{}`", kernel.definition()));
+    let part = match (compiled.part, &kernel.hoist) {
+        (Part::Prepare, Some(hoist)) => format!(": what stays the same, for [`{}`]", hoist.apply),
+        (Part::Apply, Some(hoist)) => format!(": with what [`{}`] made", hoist.prepare),
+        _ => String::new(),
+    };
+    lines.push(format!("`{}`{part}", kernel.definition()));
     lines.push(String::new());
     let promises = kernel.parameters.iter().flat_map(|parameter| {
         let statements = &definition.entities[parameter.entity].statements;
@@ -73,7 +141,7 @@ fn documentation(definition: &Definition, kernel: &Kernel, compiled: &Compiled) 
     });
     let assumptions: Vec<_> =
         promises.chain(kernel.statements.iter().map(|statement| format!("`{}`", statement.text))).collect();
-    if !assumptions.is_empty() {
+    if !assumptions.is_empty() && compiled.part != Part::Apply {
         lines.push(format!("Assumes {}.", assumptions.join("; ")));
         lines.push(String::new());
     }

@@ -102,6 +102,6 @@ pub fn expanded_count(specification: &Specification) -> Result<Option<Count>, Ov
     if specification.analytic.is_some() {
         return Ok(None);
     }
-    let (flops, mul) = System::new(&specification.outputs(), specification.coefficients.len())?.cost();
+    let (flops, mul) = System::new(&specification.outputs, specification.coefficients.len())?.cost();
     Ok(Some(Count { mul, add: flops - mul, ..Count::default() }))
 }

@@ -32,11 +32,11 @@ pub(super) fn replay(specification: &Specification, recipe: &Recipe) -> Result<P
         let value = evaluate(term, &names, &mut builder)?;
         names.insert(name.clone(), value);
     }
-    let output = |(field, _): (&str, _)| {
+    let output = |field: &String| {
         let name = if field.is_empty() { OUTPUT.to_owned() } else { format!("{OUTPUT}.{field}") };
         names.get(&name).copied().ok_or_else(|| format!("it has no row `{name}`"))
     };
-    let outputs: Vec<Value> = specification.output.fields().map(output).collect::<Result<_, _>>()?;
+    let outputs: Vec<Value> = specification.fields.iter().map(output).collect::<Result<_, _>>()?;
     Ok(builder.finish(&outputs))
 }
 
@@ -71,7 +71,7 @@ pub(super) fn write(specification: &Specification, program: &Program, name: &str
             writer.names.insert(value, row);
         }
     }
-    for ((field, _), &output) in specification.output.fields().zip(&program.outputs) {
+    for (field, &output) in specification.fields.iter().zip(&program.outputs) {
         let dot = if field.is_empty() { "" } else { "." };
         let _ = writeln!(text, "    {OUTPUT}{dot}{field} = {};", writer.expression(output, 0));
     }

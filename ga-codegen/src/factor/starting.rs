@@ -19,7 +19,7 @@ use crate::symbolic::{Monomial, Multivector, Overflow, Polynomial, Rational, Sym
 /// The starting points that cost little to try, for expansion without a recipe.
 pub(super) fn few(specification: &Specification) -> Result<Vec<System>, Overflow> {
     let given = specification.coefficients.len();
-    let expanded = specification.outputs();
+    let expanded = specification.outputs.clone();
     let reduced: Result<Vec<_>, _> = expanded.iter().map(|p| specification.relations.normal_form(p)).collect();
     let mut outputs = vec![expanded, reduced?];
     for sign in [Rational::ONE, Rational::MINUS_ONE] {
@@ -41,9 +41,11 @@ pub(super) fn all(specification: &Specification) -> Result<Vec<System>, Overflow
     for outputs in multiples(specification)? {
         systems.push(System::new(&outputs, given)?);
     }
-    systems.extend(staged(specification)?);
-    systems.extend(by_differences(specification)?);
-    systems.extend(by_commutator(specification)?);
+    if specification.projection.is_none() {
+        systems.extend(staged(specification)?);
+        systems.extend(by_differences(specification)?);
+        systems.extend(by_commutator(specification)?);
+    }
     let mut distinct: Vec<System> = Vec::new();
     for system in systems {
         if !distinct.iter().any(|other| other.same_rows(&system)) {
@@ -83,7 +85,8 @@ fn with_multiples(
     let (unit, homogeneous) = versor_relations(specification);
     let (Some(input), Some(unit)) = (transformed_input(specification), unit) else { return Ok(None) };
     let (mut outputs, mut places) = (Vec::new(), [0, 0]);
-    for ((_, component), output) in specification.output.fields().zip(specification.outputs()) {
+    for (_, component) in specification.output.fields() {
+        let output = oriented(specification.value.coefficient(component.blade), component.sign);
         let ideal = is_ideal(specification, component.blade);
         let (a, b) = choose(places[usize::from(ideal)], ideal);
         places[usize::from(ideal)] += 1;
@@ -93,9 +96,12 @@ fn with_multiples(
             let dual = dual_component(specification, &input, component);
             sum = sum.add(&dual.mul(relation)?.scale(b)?)?;
         }
-        outputs.push(shortest(specification, sum)?);
+        outputs.push(if specification.projection.is_none() { shortest(specification, sum)? } else { sum });
     }
-    Ok(Some(outputs))
+    match &specification.projection {
+        Some(projection) => Ok(Some(projection.fields(&outputs)?)),
+        None => Ok(Some(outputs)),
+    }
 }
 
 /// The normal form where that is a single term, such as an invariant coefficient; else the polynomial itself.
@@ -162,8 +168,8 @@ impl<'a> Stage<'a> {
     fn finish(self, value: &Multivector) -> Result<System, Overflow> {
         let fields = self.specification.output.fields();
         let mut outputs: Vec<_> = fields.map(|(_, c)| oriented(value.coefficient(c.blade), c.sign)).collect();
-        for (output, expanded) in outputs.iter_mut().zip(self.specification.outputs()) {
-            let reduced = self.specification.relations.normal_form(&expanded)?;
+        for (output, expanded) in outputs.iter_mut().zip(&self.specification.outputs) {
+            let reduced = self.specification.relations.normal_form(expanded)?;
             if reduced.term_count() < 2 {
                 *output = reduced;
             }

@@ -3,10 +3,12 @@
 
 mod entity;
 mod expression;
+mod hoist;
 mod specification;
 
 pub use entity::{Component, ComponentValue, Entity, Statement};
 pub use expression::{Expression, ExpressionKind, Function, Operator};
+pub use hoist::{Hoist, Projection, split};
 pub use specification::{Analytic, Coefficient, Specification, SpecificationError};
 
 use crate::algebra::Basis;
@@ -39,6 +41,10 @@ pub struct Kernel {
     pub expression: Expression,
     /// Relations between the inputs beyond those of their types, over the kernel's symbols.
     pub statements: Vec<Statement>,
+    /// Which of the parameters stay the same over many calls.
+    pub uniform: Vec<bool>,
+    /// The parts that the kernel is split into as well.
+    pub hoist: Option<Hoist>,
     /// What its programs are to be cheap in; the first is emitted under the kernel's name, the others under
     /// `NAME_MODEL`.
     pub models: Vec<CostModel>,
@@ -49,6 +55,13 @@ pub struct Kernel {
 }
 
 impl Kernel {
+    /// Whether a program of that name and cost model belongs to the kernel: its own, or one of its parts for the first
+    /// of its models.
+    pub fn has_program(&self, name: &str, model: CostModel) -> bool {
+        let part = self.hoist.as_ref().is_some_and(|hoist| hoist.prepare == name || hoist.apply == name);
+        (self.name == name && self.models.contains(&model)) || (part && self.models.first() == Some(&model))
+    }
+
     /// The definition as it is written.
     pub fn definition(&self) -> String {
         let names: Vec<_> = self.parameters.iter().map(|parameter| parameter.name.as_str()).collect();

@@ -1,6 +1,6 @@
 //! The exact meaning of a kernel: polynomials over the coefficients of its inputs, and what holds between those.
 
-use super::{ComponentValue, Definition, Entity, Expression, Kernel};
+use super::{Component, ComponentValue, Definition, Entity, Expression, Kernel, Projection};
 use crate::algebra::Basis;
 use crate::symbolic::{Multivector, Overflow, Polynomial, Relation, Relations, RelationsError, Symbol};
 use std::fmt;
@@ -44,6 +44,12 @@ pub struct Specification {
     pub value: Multivector,
     /// The output type.
     pub output: Entity,
+    /// The names of what is computed: the fields of the output type, or of a record.
+    pub fields: Vec<String>,
+    /// The specified polynomials, one for each of [`Specification::fields`]; none for an analytic kernel.
+    pub outputs: Vec<Polynomial>,
+    /// Where the fields of a record come from.
+    pub projection: Option<Projection>,
     /// The names and orientations of blades.
     pub basis: Basis,
 }
@@ -145,6 +151,12 @@ impl Specification {
         let expression = kernel.expression.clone();
         let output = definition.entities[kernel.output].clone();
         let basis = definition.basis.clone();
+        let fields = output.fields().map(|(field, _)| field.to_owned()).collect();
+        let coefficient = |(_, c): (&str, &Component)| oriented(&value.coefficient(c.blade), c.sign.is_minus());
+        let outputs = match kernel.analytic {
+            None => output.fields().map(coefficient).collect(),
+            Some(_) => Vec::new(),
+        };
         let specification = Self {
             coefficients,
             relations,
@@ -154,6 +166,9 @@ impl Specification {
             expression,
             value,
             output,
+            fields,
+            outputs,
+            projection: None,
             basis,
         };
         match specification.analytic {
@@ -180,11 +195,6 @@ impl Specification {
         self.coefficients.iter().map(|coefficient| coefficient.name.clone()).collect()
     }
 
-    /// The specified polynomials, one for each field of the output. Only for kernels that are not analytic.
-    pub fn outputs(&self) -> Vec<Polynomial> {
-        self.output.fields().map(|(_, c)| oriented(&self.value.coefficient(c.blade), c.sign.is_minus())).collect()
-    }
-
     /// Checks that the output type holds the value and that the value keeps what the type promises.
     fn check_output(&self) -> Result<(), SpecificationError> {
         let names = self.names();
@@ -208,7 +218,7 @@ impl Specification {
             }
         }
         let reduced: Vec<_> =
-            self.outputs().iter().map(|output| self.relations.normal_form(output)).collect::<Result<_, _>>()?;
+            self.outputs.iter().map(|output| self.relations.normal_form(output)).collect::<Result<_, _>>()?;
         for (statement, value) in self.output.statements.iter().zip(self.output.relation_values(&reduced)?) {
             let excess = self.relations.normal_form(&value)?;
             if !excess.is_zero() {
