@@ -46,6 +46,7 @@ extern crate alloc;
 
 mod algebra;
 mod even;
+pub mod import;
 #[cfg(feature = "glam")]
 pub mod interop;
 mod line;
