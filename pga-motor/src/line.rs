@@ -1,0 +1,185 @@
+//! Lines and screws.
+
+use crate::{Direction, Line, Motor, Point, Real, Scalar, UnitLine, UnitPlane, kernels, magnitude};
+
+impl<T: Scalar> Line<T> {
+    /// Which way the line runs, as long as its norm: (e23, e31, e12).
+    #[inline]
+    pub fn direction(self) -> Direction<T> {
+        kernels::line_direction(self)
+    }
+
+    /// ~l: the same line running the other way.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::line_reverse(self)
+    }
+
+    /// The right complement: X ^ X.dual() is e0123 for every basis blade X. Direction and moment change places.
+    #[inline]
+    pub fn dual(self) -> Self {
+        kernels::line_dual(self)
+    }
+
+    /// The inverse of [`Self::dual`].
+    #[inline]
+    pub fn undual(self) -> Self {
+        kernels::line_undual(self)
+    }
+
+    /// The shadow of the line on a plane, along the plane's normal; as long as the shadow of the direction is.
+    #[inline]
+    pub fn project_onto_plane(self, plane: UnitPlane<T>) -> Self {
+        kernels::line_project_onto_plane(self, plane)
+    }
+
+    /// The parallel line through a point.
+    #[inline]
+    pub fn project_onto_point(self, point: Point<T>) -> Self {
+        kernels::line_project_onto_point(self, point)
+    }
+}
+
+impl<T: Real> Line<T> {
+    /// The length of the direction (e23, e31, e12): of the join of two points their distance.
+    #[inline]
+    pub fn norm(self) -> T {
+        let squared = |[e23, e31, e12]: [T; 3]| kernels::line_norm_squared(Self { e23, e31, e12, ..Self::ZERO });
+        magnitude::norm([self.e23, self.e31, self.e12], squared)
+    }
+
+    /// The length of the moment (e01, e02, e03): for a line its norm times its distance from the origin.
+    #[inline]
+    pub fn ideal_norm(self) -> T {
+        let squared = |[e01, e02, e03]: [T; 3]| kernels::line_ideal_norm_squared(Self { e01, e02, e03, ..Self::ZERO });
+        magnitude::norm([self.e01, self.e02, self.e03], squared)
+    }
+
+    /// The axis: the line of length 1 about which the screw turns and along which it slides. Of a line, which turns
+    /// only, that is the line itself with its direction made 1 long; of a screw, the moment loses what is parallel to
+    /// the direction.
+    ///
+    /// `None` where there is no axis: the direction is 0 (a line at infinity, the generator of a translation), or
+    /// something is not finite.
+    ///
+    /// ```
+    /// use pga_motor::f64::{Line, UnitLine};
+    ///
+    /// let screw = Line::new(0.0, 0.0, 2.0, 0.0, 6.0, 5.0);
+    /// assert_eq!(screw.normalize(), Some(UnitLine::new(0.0, 0.0, 1.0, 0.0, 3.0, 0.0)));
+    /// assert_eq!(Line::new(0.0, 0.0, 0.0, 0.0, 6.0, 5.0).normalize(), None);
+    /// ```
+    pub fn normalize(self) -> Option<UnitLine<T>> {
+        let scaled = self / magnitude::largest(self.direction().to_array())?;
+        let axis = kernels::line_axis(scaled / kernels::line_norm_squared(scaled).sqrt());
+        axis.is_finite().then_some(axis)
+    }
+
+    /// The motion that the screw generates: the sum of l^n / n!.
+    ///
+    /// The turn by angle t about the unit line l, counter-clockwise seen against its direction, is the exponential of
+    /// -t/2 l; the translation by (x, y, z) that of -(x e01 + y e02 + z e03)/2. [`Motor::from_screw`] takes the angle
+    /// itself. NaN in gives NaN out.
+    ///
+    /// ```
+    /// use pga_motor::f64::{Direction, Point};
+    ///
+    /// let axis = Point::new(1.0, 0.0, 0.0) & Direction::Z;
+    /// let half_turn = (axis * (-std::f64::consts::PI / 2.0)).exp();
+    /// assert!(half_turn.transform_origin().distance_to_point(Point::new(2.0, 0.0, 0.0)) < 1e-15);
+    /// ```
+    #[inline]
+    pub fn exp(self) -> Motor<T> {
+        kernels::line_exp(self)
+    }
+}
+
+impl<T: Scalar> UnitLine<T> {
+    /// Which way the line runs; of length 1.
+    #[inline]
+    pub fn direction(self) -> Direction<T> {
+        kernels::line_direction(self.into())
+    }
+
+    /// The shadow of the line on a plane, along the plane's normal; of length the cosine of the angle to the plane.
+    #[inline]
+    pub fn project_onto_plane(self, plane: UnitPlane<T>) -> Line<T> {
+        kernels::line_project_onto_plane(self.into(), plane)
+    }
+
+    /// The parallel line through a point.
+    #[inline]
+    pub fn project_onto_point(self, point: Point<T>) -> Self {
+        kernels::unit_line_project_onto_point(self, point)
+    }
+}
+
+/// Constructors, distances in the caller's unit of length, angles in radians.
+impl<T: Real> UnitLine<T> {
+    /// The line through two points, directed from the first to the second; `None` where they coincide or are not
+    /// finite.
+    ///
+    /// ```
+    /// use pga_motor::f64::{Direction, Point, UnitLine};
+    ///
+    /// let line = UnitLine::from_points(Point::new(1.0, 0.0, 0.0), Point::new(1.0, 0.0, 7.0)).unwrap();
+    /// assert_eq!(line.direction(), Direction::Z);
+    /// assert_eq!(line.distance_to_point(Point::ORIGIN), 1.0);
+    /// ```
+    pub fn from_points(a: Point<T>, b: Point<T>) -> Option<Self> {
+        Self::from_point_and_direction(a, b - a)
+    }
+
+    /// The line through a point; `None` where the direction is 0 or something is not finite.
+    pub fn from_point_and_direction(point: Point<T>, direction: Direction<T>) -> Option<Self> {
+        let line = kernels::point_join_unit_direction(point, direction.normalize()?);
+        line.is_finite().then_some(line)
+    }
+
+    /// The distance of a point; never negative.
+    #[inline]
+    pub fn distance_to_point(self, point: Point<T>) -> T {
+        kernels::line_join_point(self.into(), point).norm()
+    }
+
+    /// The smallest distance between points of the two lines: 0 where they meet, the length of the common perpendicular
+    /// where they are skew, the distance of one from the other where they are parallel.
+    ///
+    /// Between skew and parallel the distance jumps, so lines whose directions agree, or are opposite, to rounding (the
+    /// sine of the angle is at most 8 epsilon) count as parallel.
+    ///
+    /// ```
+    /// use pga_motor::f64::{Direction, Point, UnitLine};
+    ///
+    /// let a = UnitLine::from_point_and_direction(Point::ORIGIN, Direction::X).unwrap();
+    /// let skew = UnitLine::from_point_and_direction(Point::new(5.0, 6.0, 2.0), Direction::Y).unwrap();
+    /// let parallel = UnitLine::from_point_and_direction(Point::new(7.0, 3.0, 4.0), -Direction::X).unwrap();
+    /// assert_eq!(a.distance_to_line(skew), 2.0);
+    /// assert_eq!(a.distance_to_line(parallel), 5.0);
+    /// ```
+    pub fn distance_to_line(self, other: Self) -> T {
+        let (a, b) = (self.into(), other.into());
+        let perpendicular = kernels::line_commutator_line(a, b);
+        let sine = perpendicular.norm();
+        if sine <= T::EPSILON * T::from_ratio(8, 1) {
+            perpendicular.ideal_norm()
+        } else {
+            kernels::line_meet_line(a, b).e0123.abs() / sine
+        }
+    }
+
+    /// The angle between the directions of two lines, in [0, pi], wherever the lines are.
+    pub fn angle_to_line(self, other: Self) -> T {
+        let (a, b) = (self.into(), other.into());
+        kernels::line_commutator_line(a, b).norm().atan2(-kernels::line_inner_line(a, b))
+    }
+
+    /// The angle by which the line rises from a plane, in [-pi/2, pi/2]; positive where it runs to the side to which
+    /// the plane's normal points.
+    #[inline]
+    pub fn angle_to_plane(self, plane: UnitPlane<T>) -> T {
+        let (line, plane) = (self.into(), plane.into());
+        let sine = kernels::plane_meet_line(plane, line).e123;
+        sine.atan2(kernels::plane_inner_line(plane, line).norm())
+    }
+}

@@ -1,0 +1,55 @@
+//! Bivectors: points of any weight, and generators of motions.
+
+use super::{Bivector, Line, Motor, Point, kernels};
+use crate::{Real, Scalar, magnitude};
+
+impl<T: Scalar> Bivector<T> {
+    /// The right complement, a line: X ^ X.dual() is e012 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> Line<T> {
+        kernels::bivector_dual(self)
+    }
+
+    /// The inverse of [`Line::dual`].
+    #[inline]
+    pub fn undual(self) -> Line<T> {
+        kernels::bivector_undual(self)
+    }
+}
+
+impl<T: Real> Bivector<T> {
+    /// The magnitude of the weight e12; 0 for directions.
+    #[inline]
+    pub fn norm(self) -> T {
+        magnitude::norm([self.e12], |[e12]| kernels::bivector_norm_squared(Self { e12, ..Self::ZERO }))
+    }
+
+    /// The norm of the ideal part (e01, e20): for a point the weight times its distance from the origin.
+    #[inline]
+    pub fn ideal_norm(self) -> T {
+        self.dual().norm()
+    }
+
+    /// The point at (e20, e01) / e12; `None` at infinity: for weight 0 and where the quotients are not finite.
+    ///
+    /// ```
+    /// use pga_motor::pga2d::f64::{Line, Point};
+    ///
+    /// let (upright, level) = (Line::new(1.0, 0.0, -2.0), Line::new(0.0, 2.0, -6.0));
+    /// assert_eq!((upright ^ level).to_point(), Some(Point::new(2.0, 3.0)));
+    /// assert_eq!((level ^ level).to_point(), None);
+    /// ```
+    pub fn to_point(self) -> Option<Point<T>> {
+        let point = Point::new(self.e20 / self.e12, self.e01 / self.e12);
+        point.is_finite().then_some(point)
+    }
+
+    /// The motion that the bivector generates: the sum of b^n / n!.
+    ///
+    /// The turn by angle t about the point p, counter-clockwise, is the exponential of -t/2 p; the translation by
+    /// (x, y) that of -(x e01 - y e20)/2. [`Motor::about`] takes the angle itself. NaN in gives NaN out.
+    #[inline]
+    pub fn exp(self) -> Motor<T> {
+        kernels::bivector_exp(self)
+    }
+}

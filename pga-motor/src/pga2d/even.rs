@@ -1,0 +1,62 @@
+//! Elements of the even subalgebra that need not be motors.
+
+use super::{Bivector, EvenMultivector, Motor, kernels};
+use crate::{Real, Scalar, magnitude};
+
+impl<T: Scalar> EvenMultivector<T> {
+    /// ~m: the bivector part changes its sign.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::even_reverse(self)
+    }
+
+    /// The bivector part.
+    #[inline]
+    pub fn bivector(self) -> Bivector<T> {
+        kernels::even_bivector(self)
+    }
+}
+
+impl<T: Real> EvenMultivector<T> {
+    /// The norm of the Euclidean part (s, e12).
+    #[inline]
+    pub fn norm(self) -> T {
+        let squared = |[s, e12]: [T; 2]| kernels::even_norm_squared(Self { s, e12, ..Self::ZERO });
+        magnitude::norm([self.s, self.e12], squared)
+    }
+
+    /// The norm of the ideal part (e01, e20): for a motor half the distance by which it moves the origin.
+    #[inline]
+    pub fn ideal_norm(self) -> T {
+        self.bivector().ideal_norm()
+    }
+
+    /// Whether this is a motor: the relation of [`Motor`] holds to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        Motor::from(self.to_array()).is_unit(tolerance)
+    }
+
+    /// The motor that this is a multiple of. In the plane every even element with a Euclidean part is a multiple of
+    /// one.
+    ///
+    /// `None` where the Euclidean part is 0 or something is not finite.
+    ///
+    /// ```
+    /// use pga_motor::pga2d::f64::{EvenMultivector, Motor};
+    ///
+    /// let even = EvenMultivector::new(3.0, 4.0, 10.0, 5.0);
+    /// assert_eq!(even.normalize(), Some(Motor::new(0.6, 0.8, 2.0, 1.0)));
+    /// assert_eq!(EvenMultivector::new(0.0, 0.0, 10.0, 5.0).normalize(), None);
+    /// ```
+    pub fn normalize(self) -> Option<Motor<T>> {
+        let motor = (self / magnitude::largest([self.s, self.e12])?).over_norm();
+        motor.is_finite().then_some(motor)
+    }
+
+    /// The motor that this is a multiple of, where the caller knows that there is one.
+    #[inline]
+    pub(super) fn over_norm(self) -> Motor<T> {
+        (self / self.norm()).to_array().into()
+    }
+}

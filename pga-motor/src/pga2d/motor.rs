@@ -1,0 +1,157 @@
+//! Rigid motions of the plane.
+
+use super::{Bivector, Direction, Line, Motor, Point, Rotor, Translator, UnitLine, kernels};
+use crate::{LengthMismatch, Real, Scalar};
+use core::ops::Shr;
+
+/// Motors from their parts, and back. `a * b` is the motion b followed by the motion a.
+impl<T: Scalar> Motor<T> {
+    /// The rotation followed by the translation: translator * rotor.
+    #[inline]
+    pub fn from_rotor_translator(rotor: Rotor<T>, translator: Translator<T>) -> Self {
+        kernels::translator_mul_rotor(translator, rotor)
+    }
+
+    /// The rotation about the origin in this motion = translator * rotor: the Euclidean part.
+    #[inline]
+    pub fn rotor(self) -> Rotor<T> {
+        kernels::motor_rotor(self)
+    }
+
+    /// The translation in this motion = translator * rotor: by the vector from the origin to where the origin goes.
+    #[inline]
+    pub fn translator(self) -> Translator<T> {
+        kernels::motor_translator(self)
+    }
+
+    /// ~m: the motion back.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::motor_reverse(self)
+    }
+
+    /// The motion back. A motor is of unit norm, so this is the reverse.
+    #[inline]
+    pub fn inverse(self) -> Self {
+        self.reverse()
+    }
+}
+
+/// What a motion does to things: m x ~m.
+impl<T: Scalar> Motor<T> {
+    /// m x ~m for anything that a motor can act on; the same as `m >> x`.
+    #[inline]
+    pub fn transform<X>(self, x: X) -> <Self as Shr<X>>::Output
+    where
+        Self: Shr<X>,
+    {
+        self >> x
+    }
+
+    /// Where the motion carries a point.
+    #[inline]
+    pub fn transform_point(self, point: Point<T>) -> Point<T> {
+        kernels::motor_transform_point(self, point)
+    }
+
+    /// Where the motion carries the origin; cheaper than any other point.
+    #[inline]
+    pub fn transform_origin(self) -> Point<T> {
+        kernels::motor_transform_origin(self)
+    }
+
+    /// Where the motion carries a direction: it turns it.
+    #[inline]
+    pub fn transform_direction(self, direction: Direction<T>) -> Direction<T> {
+        kernels::motor_transform_direction(self, direction)
+    }
+
+    /// Where the motion carries a bivector: a point of any weight.
+    #[inline]
+    pub fn transform_bivector(self, bivector: Bivector<T>) -> Bivector<T> {
+        kernels::motor_transform_bivector(self, bivector)
+    }
+
+    /// Where the motion carries a line.
+    #[inline]
+    pub fn transform_line(self, line: Line<T>) -> Line<T> {
+        kernels::motor_transform_line(self, line)
+    }
+
+    /// Where the motion carries a unit line.
+    #[inline]
+    pub fn transform_unit_line(self, line: UnitLine<T>) -> UnitLine<T> {
+        kernels::motor_transform_unit_line(self, line)
+    }
+
+    /// m x ~m: the motion x about the place to which m carries it. For one motion after another, multiply.
+    #[inline]
+    pub fn transform_motor(self, motor: Motor<T>) -> Motor<T> {
+        kernels::motor_transform_motor(self, motor)
+    }
+
+    /// Writes where the motion carries each point into the place with the same index.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    pub fn transform_points(self, points: &[Point<T>], results: &mut [Point<T>]) -> Result<(), LengthMismatch> {
+        LengthMismatch::check(points, results)?;
+        for (result, point) in results.iter_mut().zip(points) {
+            *result = self.transform_point(*point);
+        }
+        Ok(())
+    }
+
+    /// Moves each point.
+    pub fn transform_points_in_place(self, points: &mut [Point<T>]) {
+        for point in points {
+            *point = self.transform_point(*point);
+        }
+    }
+}
+
+impl<T: Real> Motor<T> {
+    /// The turn about a point by an angle in radians, counter-clockwise: cos(angle/2) - sin(angle/2) p. NaN where
+    /// something is not finite.
+    ///
+    /// ```
+    /// use pga_motor::pga2d::f64::{Motor, Point};
+    ///
+    /// let half_turn = Motor::about(Point::new(1.0, 2.0), std::f64::consts::PI);
+    /// assert!(half_turn.transform_origin().distance_to_point(Point::new(2.0, 4.0)) < 1e-15);
+    /// ```
+    #[inline]
+    pub fn about(point: Point<T>, angle: T) -> Self {
+        let (sin, cos) = (angle * T::from_ratio(1, 2)).sin_cos();
+        kernels::point_turn(point, cos, sin)
+    }
+
+    /// The generator of the rigid motion by at most half a turn: exp(log m) is m or -m, which are the same motion.
+    ///
+    /// m and -m have the same logarithm, except where the scalar part is 0: on this tie, exactly half a turn, log(-m)
+    /// is -log m. The logarithm of the turn by angle t about the point p is -t/2 p; of the translation by (x, y) it is
+    /// -(x e01 - y e20)/2. NaN in gives NaN out.
+    #[inline]
+    pub fn log(self) -> Bivector<T> {
+        kernels::motor_log(if self.s < T::ZERO { -self } else { self })
+    }
+
+    /// From this motion at t = 0 to the other at t = 1 the short way: a (1 - t) + b t, made unit again, with -b in
+    /// place of b where the rotors' scalar product is negative. The end is `other` or its negative, the same motion.
+    ///
+    /// Motions half a turn apart are joined by one of the two ways; b = -a is the same motion and stays put. Defined
+    /// for every finite t; outside [0, 1] it extrapolates. NaN where something is not finite.
+    ///
+    /// ```
+    /// use pga_motor::pga2d::f64::{Motor, Point};
+    ///
+    /// let turn = |angle| Motor::about(Point::new(3.0, 0.0), angle);
+    /// let middle = turn(0.0).nlerp(-turn(1.0), 0.5);
+    /// assert!(middle.transform_origin().distance_to_point(turn(0.5).transform_origin()) < 1e-15);
+    /// ```
+    pub fn nlerp(self, other: Self, t: T) -> Self {
+        let long_way = kernels::motor_scalar_product_motor(self, other) < T::ZERO;
+        let near = if long_way { -other } else { other };
+        (self * (T::ONE - t) + near * t).over_norm()
+    }
+}

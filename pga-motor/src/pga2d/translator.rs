@@ -1,0 +1,66 @@
+//! Translations.
+
+use super::{Direction, Line, Point, Translator, kernels};
+use crate::Scalar;
+use core::ops::Shr;
+
+/// Lengths are in the caller's unit.
+///
+/// ```
+/// use pga_motor::pga2d::f64::{Direction, Point, Translator};
+///
+/// let translator = Translator::from_vector(Direction::new(1.0, 2.0));
+/// assert_eq!(translator.transform_point(Point::ORIGIN), Point::new(1.0, 2.0));
+/// ```
+impl<T: Scalar> Translator<T> {
+    /// The translation by a vector: by (x, y) it is 1 - (x e01 - y e20)/2.
+    #[inline]
+    pub fn from_vector(vector: Direction<T>) -> Self {
+        kernels::translator_from_direction(vector)
+    }
+
+    /// The vector by which this translates.
+    #[inline]
+    pub fn vector(self) -> Direction<T> {
+        kernels::translator_direction(self)
+    }
+
+    /// ~t: the opposite translation.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::translator_reverse(self)
+    }
+
+    /// The opposite translation. A translator is of unit norm, so this is the reverse.
+    #[inline]
+    pub fn inverse(self) -> Self {
+        self.reverse()
+    }
+
+    /// t x ~t for anything that a translator can act on; the same as `t >> x`.
+    #[inline]
+    pub fn transform<X>(self, x: X) -> <Self as Shr<X>>::Output
+    where
+        Self: Shr<X>,
+    {
+        self >> x
+    }
+
+    /// Where the translation carries a point.
+    #[inline]
+    pub fn transform_point(self, point: Point<T>) -> Point<T> {
+        kernels::translator_transform_point(self, point)
+    }
+
+    /// The direction itself: translations do not move directions.
+    #[inline]
+    pub fn transform_direction(self, direction: Direction<T>) -> Direction<T> {
+        kernels::translator_transform_direction(self, direction)
+    }
+
+    /// Where the translation carries a line.
+    #[inline]
+    pub fn transform_line(self, line: Line<T>) -> Line<T> {
+        kernels::translator_transform_line(self, line)
+    }
+}

@@ -1,0 +1,13 @@
+//! The types with their scalar filled in, for each precision.
+
+macro_rules! aliases {
+    ($float:ident: $($name:ident)*) => {
+        $(
+            #[doc = concat!("[`", stringify!($name), "`](super::", stringify!($name), ")")]
+            #[doc = concat!("of `", stringify!($float), "`.")]
+            pub type $name = super::$name<$float>;
+        )*
+    };
+}
+
+pub(crate) use aliases;
