@@ -328,9 +328,9 @@ fn relations(input: ParseStream) -> syn::Result<Vec<RawRelation>> {
     input.parse::<Token![where]>()?;
     loop {
         let span = input.span();
-        let left = expression(input, 0)?;
+        let left = expression(input)?;
         token::<Token![==]>(input, "`==`")?;
-        relations.push(RawRelation { left, right: expression(input, 0)?, span });
+        relations.push(RawRelation { left, right: expression(input)?, span });
         if !input.peek(Token![,]) {
             return Ok(relations);
         }
@@ -352,7 +352,7 @@ fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
     token::<Token![->]>(input, "`->`")?;
     let output = name(input, "an entity")?;
     token::<Token![=]>(input, "`=`")?;
-    let expression = expression(input, 0)?;
+    let expression = expression(input)?;
     Ok(Item::Kernel(RawKernel {
         docs,
         name: kernel_name,
@@ -374,14 +374,24 @@ fn scalar(input: ParseStream) -> syn::Result<Item> {
     Ok(Item::Scalar { path })
 }
 
+/// How many operators and parentheses may be around a part of an expression (a call counts for three), and how many terms
+/// may stand in a row: what comes later walks the expression recursively. The norm of an element of the largest algebra
+/// has 256 terms.
+const MAX_DEPTH: usize = 300;
+
+fn expression(input: ParseStream) -> syn::Result<RawExpression> {
+    binary(input, 0, 0)
+}
+
 /// Binary operators by precedence climbing.
-fn expression(input: ParseStream, least: u8) -> syn::Result<RawExpression> {
-    let mut left = unary(input)?;
+fn binary(input: ParseStream, least: u8, mut depth: usize) -> syn::Result<RawExpression> {
+    let mut left = unary(input, depth)?;
     loop {
+        depth += 1;
         let span = input.span();
         if input.peek(Token![/]) && least <= Operator::Geometric.precedence() {
             input.parse::<Token![/]>()?;
-            let right = unary(input)?;
+            let right = unary(input, depth)?;
             left = RawExpression { kind: RawKind::Quotient(Box::new(left), Box::new(right)), span };
             continue;
         }
@@ -393,7 +403,7 @@ fn expression(input: ParseStream, least: u8) -> syn::Result<RawExpression> {
         } else {
             input.parse::<TokenTree>()?;
         }
-        let right = expression(input, operator.precedence() + 1)?;
+        let right = binary(input, operator.precedence() + 1, depth)?;
         left = RawExpression { kind: RawKind::Binary(operator, Box::new(left), Box::new(right)), span };
     }
 }
@@ -418,24 +428,28 @@ fn peek_operator(input: ParseStream) -> Option<Operator> {
     }
 }
 
-fn unary(input: ParseStream) -> syn::Result<RawExpression> {
+fn unary(input: ParseStream, depth: usize) -> syn::Result<RawExpression> {
     let span = input.span();
+    if depth > MAX_DEPTH {
+        let message = format!("expected an expression nested at most {MAX_DEPTH} deep, found a deeper one");
+        return Err(syn::Error::new(span, message));
+    }
     if input.peek(Token![-]) {
         input.parse::<Token![-]>()?;
-        return Ok(RawExpression { kind: RawKind::Negate(Box::new(unary(input)?)), span });
+        return Ok(RawExpression { kind: RawKind::Negate(Box::new(unary(input, depth + 1)?)), span });
     }
     if input.peek(Token![~]) {
         input.parse::<Token![~]>()?;
-        return Ok(RawExpression { kind: RawKind::Reverse(Box::new(unary(input)?)), span });
+        return Ok(RawExpression { kind: RawKind::Reverse(Box::new(unary(input, depth + 1)?)), span });
     }
-    primary(input)
+    primary(input, depth + 1)
 }
 
-fn primary(input: ParseStream) -> syn::Result<RawExpression> {
+fn primary(input: ParseStream, depth: usize) -> syn::Result<RawExpression> {
     let span = input.span();
     if input.peek(syn::token::Paren) {
         let content = parentheses(input)?;
-        let inner = expression(&content, 0)?;
+        let inner = binary(&content, 0, depth)?;
         if !content.is_empty() {
             return Err(unexpected(&content, "an operator or `)`"));
         }
@@ -457,7 +471,7 @@ fn primary(input: ParseStream) -> syn::Result<RawExpression> {
         return Ok(RawExpression { kind: RawKind::Field(first.text, field.text), span });
     }
     if input.peek(syn::token::Paren) {
-        let arguments = comma_separated(&parentheses(input)?, |input| expression(input, 0))?;
+        let arguments = comma_separated(&parentheses(input)?, |input| binary(input, 0, depth + 2))?;
         return Ok(RawExpression { kind: RawKind::Call(first.text, arguments), span });
     }
     Ok(RawExpression { kind: RawKind::Name(first.text), span })
