@@ -24,12 +24,13 @@ mod tracked;
 /// The committed files as modules.
 #[allow(dead_code, unreachable_pub, clippy::all)]
 mod golden {
+    // The compiler shows the remark with any error of these lines.
     #[path = "pga2d.rs"]
     #[rustfmt::skip]
-    pub(crate) mod pga2d;
+    pub(crate) mod pga2d; // to make it: cargo run -p ga-codegen -- emit pga2d -o tests/golden/pga2d.rs
     #[path = "pga3d.rs"]
     #[rustfmt::skip]
-    pub(crate) mod pga3d;
+    pub(crate) mod pga3d; // to make it: cargo run -p ga-codegen -- emit pga3d -o tests/golden/pga3d.rs
 }
 
 exact_scalar!(golden::pga3d::scalar {});
@@ -42,7 +43,7 @@ mod pga3d {
     use crate::golden::pga3d::scalar;
 
     // An emitted file without `export` has no list of its own; being fresh, it has the kernels of the preset.
-    pga_motor::pga3d_kernels!(dispatch);
+    pga_motor::pga3d_kernels!(dispatch); // is one missing? cargo run -p ga-codegen -- emit pga3d -o tests/golden/pga3d.rs
     claims!("pga3d");
 }
 
@@ -50,7 +51,7 @@ mod pga2d {
     use crate::golden::pga2d as compiled;
     use crate::golden::pga2d::scalar;
 
-    pga_motor::pga2d_kernels!(dispatch);
+    pga_motor::pga2d_kernels!(dispatch); // is one missing? cargo run -p ga-codegen -- emit pga2d -o tests/golden/pga2d.rs
     claims!("pga2d");
 }
 
@@ -75,7 +76,7 @@ fn emit(preset: &str) -> Vec<u8> {
 #[test]
 fn golden_files_are_what_the_command_line_emits_every_time() {
     for preset in PRESETS {
-        let renewal = format!("cargo run --package ga-codegen -- emit {preset} -o tests/golden/{preset}.rs");
+        let renewal = format!("cargo run -p ga-codegen -- emit {preset} -o tests/golden/{preset}.rs");
         let golden = std::fs::read(golden_file(preset))
             .unwrap_or_else(|error| panic!("tests/golden/{preset}.rs: {error}; make it with `{renewal}`"));
         let emitted = emit(preset);

@@ -13,9 +13,10 @@ mod exact;
 mod samples;
 
 use ga_codegen::Compiled;
+use ga_codegen::factor::factor_polynomials;
 use ga_codegen::kernel::{Analytic, Definition, Kernel};
 use ga_codegen::program::{FloatDomain, Operation, Program, Value};
-use ga_codegen::proof::{Refutation, prove};
+use ga_codegen::proof::{Refutation, prove, prove_evaluation};
 use ga_codegen::symbolic::Rational;
 use samples::Random;
 use std::collections::BTreeSet;
@@ -252,9 +253,13 @@ fn mutate(definition: &Definition, kernel: &Kernel, compiled: &Compiled, totals:
     }
 }
 
-fn refute_mutants_of(preset: &str) {
+fn definition(preset: &str) -> Definition {
     let text = ga_codegen::preset::text(preset).expect("a preset");
-    let definition = ga_codegen::define(text.parse().expect("tokens")).expect("a preset without errors");
+    ga_codegen::define(text.parse().expect("tokens")).expect("a preset without errors")
+}
+
+fn refute_mutants_of(preset: &str) {
+    let definition = definition(preset);
     let compiled = ga_codegen::compile(&definition).expect("a preset that is proved");
     let mut totals = Totals::default();
     for (kernel, compiled) in definition.kernels.iter().zip(&compiled) {
@@ -269,6 +274,29 @@ fn refute_mutants_of(preset: &str) {
     assert!(unlisted.is_empty(), "{preset}: equal mutants that are not on the list EQUAL: {unlisted:#?}");
     let unneeded: Vec<_> = listed.difference(&keys).collect();
     assert!(unneeded.is_empty(), "{preset}: entries of the list EQUAL that no mutant needs any more: {unneeded:#?}");
+}
+
+/// The programs of `relation_errors()` are no kernels, but emitted and proved like them: as identities, without any
+/// relation to reduce by, so that here no mutant is equal at all.
+#[test]
+fn every_mutant_of_a_relation_is_refuted() {
+    let (mut programs, mut refuted) = (0, 0);
+    for preset in ga_codegen::preset::NAMES {
+        for entity in &definition(preset).entities {
+            let relations: Vec<_> = entity.relations().iter().map(|relation| relation.polynomial().clone()).collect();
+            let inputs = entity.fields().count();
+            let program = factor_polynomials(&relations, inputs).expect("a program for the relations");
+            assert!(prove_evaluation(&program, &relations, inputs).is_ok(), "{preset} {}", entity.name);
+            for Mutant { mutation, operation, at, program } in mutants(&program) {
+                let proof = prove_evaluation(&program, &relations, inputs);
+                assert!(proof.is_err(), "{preset} {}: {mutation:?} of the {operation} at {at}", entity.name);
+                refuted += 1;
+            }
+            programs += usize::from(!relations.is_empty());
+        }
+    }
+    println!("{programs} types with relations, {refuted} mutants, all refuted");
+    assert!(programs > 0);
 }
 
 #[test]

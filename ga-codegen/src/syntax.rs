@@ -8,7 +8,7 @@ use std::fmt::Display;
 use std::str::FromStr;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseBuffer, ParseStream, Parser};
-use syn::{LitInt, LitStr, Token, braced, bracketed, parenthesized};
+use syn::{LitInt, LitStr, Token, bracketed, parenthesized};
 
 use crate::kernel::Operator;
 use crate::preset;
@@ -26,7 +26,7 @@ pub(crate) enum Item {
     Signature { span: Span, numbers: [usize; 3] },
     Basis { span: Span, blades: Vec<(Name, Name)> },
     Entity { docs: Vec<String>, name: Name, components: Vec<RawComponent>, relations: Vec<RawRelation> },
-    Kernel(RawKernel),
+    Kernel(Box<RawKernel>),
     Scalar { path: TokenStream },
     Export { name: Name },
     Recipe { kernel: Name, model: Name, rows: Vec<RawRow> },
@@ -312,7 +312,7 @@ fn entity(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
         return Err(unexpected(input, "`{`"));
     }
     let content;
-    braced!(content in input);
+    syn::braced!(content in input);
     let components = comma_separated(&content, component)?;
     let relations = relations(input)?;
     if !input.is_empty() || !relations.is_empty() {
@@ -347,9 +347,9 @@ fn relations(input: ParseStream) -> syn::Result<Vec<RawRelation>> {
     input.parse::<Token![where]>()?;
     loop {
         let span = input.span();
-        let left = expression(input, 0)?;
+        let left = expression(input)?;
         token::<Token![==]>(input, "`==`")?;
-        relations.push(RawRelation { left, right: expression(input, 0)?, span });
+        relations.push(RawRelation { left, right: expression(input)?, span });
         if !input.peek(Token![,]) {
             return Ok(relations);
         }
@@ -375,10 +375,19 @@ fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
     token::<Token![->]>(input, "`->`")?;
     let output = name(input, "an entity")?;
     token::<Token![=]>(input, "`=`")?;
-    let expression = expression(input, 0)?;
+    let expression = expression(input)?;
     let relations = relations(input)?;
     let (models, hoist) = clauses(input)?;
-    Ok(Item::Kernel(RawKernel { docs, name: kernel_name, parameters, output, expression, relations, models, hoist }))
+    Ok(Item::Kernel(Box::new(RawKernel {
+        docs,
+        name: kernel_name,
+        parameters,
+        output,
+        expression,
+        relations,
+        models,
+        hoist,
+    })))
 }
 
 /// `cost flops, fma` and `hoist Record, prepare, apply`, in this order.
@@ -427,7 +436,7 @@ fn scalar(input: ParseStream) -> syn::Result<Item> {
 fn recipe(input: ParseStream) -> syn::Result<Item> {
     let (kernel, model) = (name(input, "the name of a kernel")?, name(input, "a cost model")?);
     let content;
-    braced!(content in input);
+    syn::braced!(content in input);
     let mut rows = Vec::new();
     while !content.is_empty() {
         let mut row = name(&content, "the name of a row")?.text;
@@ -435,21 +444,31 @@ fn recipe(input: ParseStream) -> syn::Result<Item> {
             content.parse::<Token![.]>()?;
             row = format!("{row}.{}", name(&content, "a field")?.text);
         }
-        content.parse::<Token![=]>()?;
-        rows.push(RawRow { name: row, value: expression(&content, 0)? });
-        content.parse::<Token![;]>()?;
+        token::<Token![=]>(&content, "`=`")?;
+        rows.push(RawRow { name: row, value: expression(&content)? });
+        token::<Token![;]>(&content, "`;`")?;
     }
     Ok(Item::Recipe { kernel, model, rows })
 }
 
+/// How many operators and parentheses may be around a part of an expression (a call counts for three), and how many terms
+/// may stand in a row: what comes later walks the expression recursively. The norm of an element of the largest algebra
+/// has 256 terms.
+const MAX_DEPTH: usize = 300;
+
+fn expression(input: ParseStream) -> syn::Result<RawExpression> {
+    binary(input, 0, 0)
+}
+
 /// Binary operators by precedence climbing.
-fn expression(input: ParseStream, least: u8) -> syn::Result<RawExpression> {
-    let mut left = unary(input)?;
+fn binary(input: ParseStream, least: u8, mut depth: usize) -> syn::Result<RawExpression> {
+    let mut left = unary(input, depth)?;
     loop {
+        depth += 1;
         let span = input.span();
         if input.peek(Token![/]) && least <= Operator::Geometric.precedence() {
             input.parse::<Token![/]>()?;
-            let right = unary(input)?;
+            let right = unary(input, depth)?;
             left = RawExpression { kind: RawKind::Quotient(Box::new(left), Box::new(right)), span };
             continue;
         }
@@ -461,7 +480,7 @@ fn expression(input: ParseStream, least: u8) -> syn::Result<RawExpression> {
         } else {
             input.parse::<TokenTree>()?;
         }
-        let right = expression(input, operator.precedence() + 1)?;
+        let right = binary(input, operator.precedence() + 1, depth)?;
         left = RawExpression { kind: RawKind::Binary(operator, Box::new(left), Box::new(right)), span };
     }
 }
@@ -486,24 +505,28 @@ fn peek_operator(input: ParseStream) -> Option<Operator> {
     }
 }
 
-fn unary(input: ParseStream) -> syn::Result<RawExpression> {
+fn unary(input: ParseStream, depth: usize) -> syn::Result<RawExpression> {
     let span = input.span();
+    if depth > MAX_DEPTH {
+        let message = format!("expected an expression nested at most {MAX_DEPTH} deep, found a deeper one");
+        return Err(syn::Error::new(span, message));
+    }
     if input.peek(Token![-]) {
         input.parse::<Token![-]>()?;
-        return Ok(RawExpression { kind: RawKind::Negate(Box::new(unary(input)?)), span });
+        return Ok(RawExpression { kind: RawKind::Negate(Box::new(unary(input, depth + 1)?)), span });
     }
     if input.peek(Token![~]) {
         input.parse::<Token![~]>()?;
-        return Ok(RawExpression { kind: RawKind::Reverse(Box::new(unary(input)?)), span });
+        return Ok(RawExpression { kind: RawKind::Reverse(Box::new(unary(input, depth + 1)?)), span });
     }
-    primary(input)
+    primary(input, depth + 1)
 }
 
-fn primary(input: ParseStream) -> syn::Result<RawExpression> {
+fn primary(input: ParseStream, depth: usize) -> syn::Result<RawExpression> {
     let span = input.span();
     if input.peek(syn::token::Paren) {
         let content = parentheses(input)?;
-        let inner = expression(&content, 0)?;
+        let inner = binary(&content, 0, depth)?;
         if !content.is_empty() {
             return Err(unexpected(&content, "an operator or `)`"));
         }
@@ -525,7 +548,7 @@ fn primary(input: ParseStream) -> syn::Result<RawExpression> {
         return Ok(RawExpression { kind: RawKind::Field(first.text, field.text), span });
     }
     if input.peek(syn::token::Paren) {
-        let arguments = comma_separated(&parentheses(input)?, |input| expression(input, 0))?;
+        let arguments = comma_separated(&parentheses(input)?, |input| binary(input, 0, depth + 2))?;
         return Ok(RawExpression { kind: RawKind::Call(first.text, arguments), span });
     }
     Ok(RawExpression { kind: RawKind::Name(first.text), span })

@@ -529,6 +529,21 @@ fn expressions_that_do_not_parse_are_reported_at_the_token() {
 }
 
 #[test]
+fn an_expression_that_is_nested_too_deep_is_refused_before_the_stack_ends() {
+    let block =
+        |expression: &str| format!("signature (1, 0, 0);\nentity X {{ e1 }}\nkernel f(a: X) -> X =\n{expression};");
+    let message = "expected an expression nested at most 300 deep, found a deeper one";
+    // Brackets are nested in the token stream already, which ends Rust's own stack before any of ours.
+    for (open, close, depth) in [("-", "", 20_000), ("a+", "", 20_000), ("(", ")", 400), ("dual(", ")", 400)] {
+        let deep = errors(&block(&format!("{}a{}", open.repeat(depth), close.repeat(depth))));
+        assert!(deep.len() == 1 && deep[0].starts_with("4:") && deep[0].ends_with(message), "{open} {deep:?}");
+    }
+    // What an algebra of 8 generators may need.
+    assert_errors(&block(&format!("{}a", "a+".repeat(255))), &[]);
+    assert_errors(&block(&format!("{}a{}", "(-".repeat(100), ")".repeat(100))), &[]);
+}
+
+#[test]
 fn a_forgotten_semicolon_is_found_where_it_belongs() {
     assert_errors(
         "

@@ -42,8 +42,11 @@
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 #![deny(unsafe_code)]
 
+extern crate alloc;
+
 mod algebra;
 mod even;
+pub mod import;
 #[cfg(feature = "glam")]
 pub mod interop;
 mod line;
@@ -56,6 +59,7 @@ mod point;
 mod precision;
 mod rotor;
 pub mod scalar;
+pub mod skeleton;
 mod translator;
 
 pub use algebra::*;
@@ -69,6 +73,7 @@ pub mod f32 {
         f32: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
         OddMultivector Pseudoscalar
     }
+    crate::precision::aliases! { f32 in skeleton: Joint Pose Skeleton }
 }
 
 /// The types in double precision: `pga_motor::f64::Motor` is `pga_motor::Motor<f64>`. Those of the plane are in
@@ -78,4 +83,5 @@ pub mod f64 {
         f64: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
         OddMultivector Pseudoscalar
     }
+    crate::precision::aliases! { f64 in skeleton: Joint Pose Skeleton }
 }

@@ -9,6 +9,7 @@ use crate::exact::Exact;
 use ga_codegen::algebra::Signature;
 use ga_codegen::kernel::{Definition, Entity, Kernel};
 use ga_codegen::reference::Multivector;
+use ga_codegen::symbolic::{Polynomial, Rational, Symbol};
 
 /// SplitMix64 (Steele, Lea, Flood 2014), so that every run sees the same samples.
 pub(crate) struct Random(pub(crate) u64);
@@ -104,18 +105,59 @@ pub(crate) fn entity(signature: Signature, entity: &Entity, random: &mut Random)
 
 /// The coefficients of random inputs of a kernel, those of all parameters in one row.
 pub(crate) fn row(definition: &Definition, kernel: &Kernel, random: &mut Random) -> Vec<Exact> {
-    assert!(kernel.statements.is_empty(), "{}: no sampler for a kernel's own relations", kernel.name);
     let entities = kernel.parameters.iter().map(|parameter| &definition.entities[parameter.entity]);
-    entities.flat_map(|one| entity(definition.basis.signature(), one, random)).collect()
+    let mut row: Vec<_> = entities.flat_map(|one| entity(definition.basis.signature(), one, random)).collect();
+    // A kernel's own relations so far say that some coefficients, bound by nothing else, make a vector of length 1.
+    for statement in &kernel.statements {
+        let symbols = sphere(statement.relation.polynomial());
+        let symbols = symbols.unwrap_or_else(|| panic!("{}: no sampler for `{}`", kernel.name, statement.text));
+        for (symbol, coordinate) in symbols.iter().zip(unit_vector(symbols.len(), random)) {
+            row[usize::from(*symbol)] = coordinate;
+        }
+    }
+    let mut excess: Vec<_> =
+        kernel.statements.iter().map(|statement| value(statement.relation.polynomial(), &row)).collect();
+    let mut rest = row.as_slice();
+    for parameter in &kernel.parameters {
+        let entity = &definition.entities[parameter.entity];
+        let (fields, after) = rest.split_at(entity.fields().count());
+        excess.extend(relation_values(entity, fields));
+        rest = after;
+    }
+    assert!(excess.iter().all(|excess| *excess == Exact::ZERO), "{}: a sample breaks a relation", kernel.name);
+    row
+}
+
+/// The symbols x, y, ... of a polynomial x^2 + y^2 + ... - 1.
+fn sphere(polynomial: &Polynomial) -> Option<Vec<Symbol>> {
+    let mut symbols = Vec::new();
+    for (monomial, coefficient) in polynomial.terms() {
+        match *monomial.symbols() {
+            [] if coefficient == Rational::MINUS_ONE => {}
+            [x, y] if x == y && coefficient == Rational::ONE => symbols.push(x),
+            _ => return None,
+        }
+    }
+    Some(symbols)
+}
+
+/// A rational point of the unit sphere, by stereographic projection: (2 t, 1 - |t|^2) / (1 + |t|^2).
+fn unit_vector(dimension: usize, random: &mut Random) -> Vec<Exact> {
+    let t: Vec<_> = (1..dimension).map(|_| Exact::new(random.integer(4), 1 + (random.next() % 4) as i128)).collect();
+    let square = t.iter().fold(Exact::ZERO, |sum, &x| sum + x * x);
+    let last = (Exact::ONE - square) / (Exact::ONE + square);
+    t.iter().map(|&x| (x + x) / (Exact::ONE + square)).chain([last]).collect()
+}
+
+/// A polynomial at a point.
+fn value(polynomial: &Polynomial, at: &[Exact]) -> Exact {
+    let product = |symbols: &[Symbol]| symbols.iter().fold(Exact::ONE, |product, &s| product * at[usize::from(s)]);
+    polynomial.terms().fold(Exact::ZERO, |sum, (monomial, coefficient)| {
+        sum + Exact::new(coefficient.numerator(), coefficient.denominator()) * product(monomial.symbols())
+    })
 }
 
 /// Left minus right side of every relation of an entity.
 pub(crate) fn relation_values(entity: &Entity, fields: &[Exact]) -> Vec<Exact> {
-    let term = |symbols: &[u16]| symbols.iter().fold(Exact::ONE, |product, &s| product * fields[usize::from(s)]);
-    let value = |polynomial: &ga_codegen::symbolic::Polynomial| {
-        polynomial.terms().fold(Exact::ZERO, |sum, (monomial, coefficient)| {
-            sum + Exact::new(coefficient.numerator(), coefficient.denominator()) * term(monomial.symbols())
-        })
-    };
-    entity.statements.iter().map(|statement| value(statement.relation.polynomial())).collect()
+    entity.statements.iter().map(|statement| value(statement.relation.polynomial(), fields)).collect()
 }

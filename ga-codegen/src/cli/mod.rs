@@ -26,8 +26,11 @@ enum Command {
         #[arg(default_value = "pga3d")]
         source: String,
         /// Print JSON instead of a table.
-        #[arg(long)]
+        #[arg(long, conflicts_with = "markdown")]
         json: bool,
+        /// Print a Markdown table.
+        #[arg(long)]
+        markdown: bool,
     },
     /// Write the Rust of a definition, self-contained unless the definition names a scalar module.
     Emit {
@@ -71,8 +74,15 @@ enum Command {
 /// Runs the command line; the exit status is not 0 where anything failed.
 pub(crate) fn run() -> ExitCode {
     let command = Arguments::parse().command;
-    let result = match command.unwrap_or(Command::Report { source: "pga3d".to_owned(), json: false }) {
-        Command::Report { source, json } => report::run(&source, json),
+    let result = match command.unwrap_or(Command::Report { source: "pga3d".to_owned(), json: false, markdown: false }) {
+        Command::Report { source, json, markdown } => {
+            let format = match (json, markdown) {
+                (true, _) => report::Format::Json,
+                (_, true) => report::Format::Markdown,
+                _ => report::Format::Text,
+            };
+            report::run(&source, format)
+        }
         Command::Emit { source, kernel, output } => emit::run(&source, kernel.as_deref(), output.as_deref()),
         Command::Search { source, kernel, restarts, output } => {
             search::run(&search::Request { source, kernels: kernel, restarts, output })

@@ -1,36 +1,70 @@
 //! What every kernel is and costs, and whether it is proved.
 
 use super::source::{Source, compiled};
-use ga_codegen::Compiled;
-use ga_codegen::kernel::{Definition, Kernel};
+use anstyle::{AnsiColor, Style};
+use ga_codegen::kernel::Definition;
 use ga_codegen::program::Count;
+use ga_codegen::{Compiled, Part};
 use serde_json::{Value, json};
 use std::time::Instant;
 
-/// The report as text or JSON.
-pub(crate) fn run(source: &str, json: bool) -> Result<String, String> {
-    let start = Instant::now();
-    let Source { definition, compiled } = compiled(source)?;
-    let pairs: Vec<_> = compiled.iter().map(|compiled| (&definition.kernels[compiled.kernel], compiled)).collect();
-    if json {
-        let objects: Vec<_> = pairs.iter().map(|(kernel, compiled)| object(&definition, kernel, compiled)).collect();
-        let text = serde_json::to_string_pretty(&objects).map_err(|error| format!("error: {error}"))?;
-        return Ok(text + "\n");
-    }
-    let rows: Vec<[String; 5]> = pairs.iter().map(|(kernel, compiled)| row(&definition, kernel, compiled)).collect();
-    let mut text = format!("{source}: {} and {} kernels\n\n", definition.basis.signature(), rows.len());
-    text += &table(["kernel", "definition", "expanded", "emitted", "proof"], &rows);
-    text += &format!("\nAll {} kernels proved, in {:.2} s.\n", rows.len(), start.elapsed().as_secs_f64());
-    Ok(text)
+/// How the report is printed.
+#[derive(Clone, Copy)]
+pub(crate) enum Format {
+    Text,
+    Json,
+    Markdown,
 }
 
-fn signature(definition: &Definition, kernel: &Kernel) -> String {
+const HEADER: [&str; 8] = ["kernel", "definition", "model", "expanded", "emitted", "FMA", "depth", "proof"];
+
+/// The report on a definition. Styles are for a terminal; who prints to something else strips them.
+pub(crate) fn run(source: &str, format: Format) -> Result<String, String> {
+    let start = Instant::now();
+    let Source { definition, compiled } = compiled(source)?;
+    let rows = || compiled.iter().map(|compiled| row(&definition, compiled));
+    match format {
+        Format::Json => {
+            let objects: Vec<_> = compiled.iter().map(|compiled| object(&definition, compiled)).collect();
+            let text = serde_json::to_string_pretty(&objects).map_err(|error| format!("error: {error}"))?;
+            Ok(text + "\n")
+        }
+        Format::Markdown => Ok(markdown(&rows().collect::<Vec<_>>())),
+        Format::Text => {
+            let rows: Vec<_> = rows().collect();
+            let (bold, green) = (Style::new().bold(), AnsiColor::Green.on_default());
+            let mut text = format!(
+                "{bold}{source}{bold:#}: {}, {} kernels\n\n",
+                definition.basis.signature(),
+                definition.kernels.len()
+            );
+            text += &table(&rows);
+            let seconds = start.elapsed().as_secs_f64();
+            text += &format!("\n{green}All {} programs proved{green:#}, in {seconds:.2} s.\n", rows.len());
+            Ok(text)
+        }
+    }
+}
+
+fn signature(definition: &Definition, compiled: &Compiled) -> String {
+    let kernel = &definition.kernels[compiled.kernel];
     let parameters: Vec<_> =
         kernel.parameters.iter().map(|p| format!("{}: {}", p.name, definition.entities[p.entity].name)).collect();
     format!("({}) -> {}", parameters.join(", "), definition.entities[kernel.output].name)
 }
 
-fn row(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> [String; 5] {
+/// What a program computes; the parts of a kernel say which they are.
+fn meaning(definition: &Definition, compiled: &Compiled) -> String {
+    let kernel = &definition.kernels[compiled.kernel];
+    let part = match compiled.part {
+        Part::Whole => "",
+        Part::Prepare => ", what stays the same",
+        Part::Apply => ", the rest",
+    };
+    format!("{} = {}{part}", signature(definition, compiled), kernel.definition())
+}
+
+fn row(definition: &Definition, compiled: &Compiled) -> [String; 8] {
     let expanded = compiled.expanded.map_or("-".to_owned(), |count| format!("{}+{}", count.mul, count.add));
     let count = Count::of(&compiled.program);
     let further = [(count.div, "div"), (count.sqrt, "sqrt"), (count.trigonometric, "trig")];
@@ -38,26 +72,47 @@ fn row(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> [String
     for (number, name) in further.into_iter().filter(|(number, _)| *number > 0) {
         emitted += &format!(" {number} {name}");
     }
-    let meaning = format!("{} = {}", signature(definition, kernel), kernel.definition());
-    [compiled.name.clone(), meaning, expanded, emitted, compiled.proof.to_string()]
+    [
+        compiled.name.clone(),
+        meaning(definition, compiled),
+        compiled.model.to_string(),
+        expanded,
+        emitted,
+        count.fma.to_string(),
+        count.depth.to_string(),
+        compiled.proof.to_string(),
+    ]
 }
 
-/// Left-aligned columns under a header.
-fn table(header: [&str; 5], rows: &[[String; 5]]) -> String {
-    let header = header.map(str::to_owned);
+/// Left-aligned columns under a bold header.
+fn table(rows: &[[String; 8]]) -> String {
+    let header = HEADER.map(str::to_owned);
     let width = |column: usize| rows.iter().chain([&header]).map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<_> = (0..5).map(width).collect();
-    let rule: [String; 5] = std::array::from_fn(|column| "-".repeat(widths[column]));
-    let mut text = String::new();
-    for row in [&header, &rule].into_iter().chain(rows) {
-        let cells: Vec<_> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}")).collect();
-        text += cells.join("  ").trim_end();
+    let widths: [usize; 8] = std::array::from_fn(width);
+    let line = |row: &[String; 8]| {
+        let cells: Vec<_> = row.iter().zip(widths).map(|(cell, width)| format!("{cell:width$}")).collect();
+        cells.join("  ").trim_end().to_owned()
+    };
+    let bold = Style::new().bold();
+    let rule: [String; 8] = widths.map(|width| "-".repeat(width));
+    let mut text = format!("{bold}{}{bold:#}\n{}\n", line(&header), line(&rule));
+    for row in rows {
+        text += &line(row);
         text.push('\n');
     }
     text
 }
 
-fn object(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> Value {
+fn markdown(rows: &[[String; 8]]) -> String {
+    let escaped = |cell: &String| cell.replace('|', "\\|");
+    let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
+    let mut text = line(HEADER.map(str::to_owned).to_vec());
+    text += &format!("|{}\n", "---|".repeat(HEADER.len()));
+    text + &rows.iter().map(|row| line(row.iter().map(escaped).collect())).collect::<String>()
+}
+
+fn object(definition: &Definition, compiled: &Compiled) -> Value {
+    let kernel = &definition.kernels[compiled.kernel];
     let inputs: Vec<_> = kernel
         .parameters
         .iter()
@@ -65,7 +120,8 @@ fn object(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> Valu
         .collect();
     let count = Count::of(&compiled.program);
     json!({
-        "kernel": kernel.name,
+        "kernel": if compiled.part == Part::Whole { &kernel.name } else { &compiled.name },
+        "function": compiled.name,
         "definition": kernel.definition(),
         "inputs": inputs,
         "output": definition.entities[kernel.output].name,

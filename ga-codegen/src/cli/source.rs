@@ -43,9 +43,9 @@ pub(crate) fn describe(source: &str, errors: &syn::Error) -> String {
     errors.clone().into_iter().map(one).collect::<Vec<_>>().join("\n")
 }
 
-/// Prints to standard output; a reader that has gone away is no error.
+/// Prints to standard output, in colour where that is a terminal; a reader that has gone away is no error.
 pub(crate) fn print(text: &str) -> Result<(), String> {
-    match std::io::stdout().write_all(text.as_bytes()) {
+    match anstream::stdout().write_all(text.as_bytes()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!("error: standard output: {error}")),
         _ => Ok(()),
     }

@@ -1,0 +1,53 @@
+//! Rigid skeletons: joints in a hierarchy, poses of them, and forward kinematics, with motors all the way.
+//!
+//! A joint carries a frame of its own. Where that frame stands relative to the joint's parent is its *local* motor, where it
+//! stands in the space of the whole skeleton its *model* motor, and the two are tied by one rule:
+//!
+//! ```text
+//! model[i] = model[parent(i)] * local[i]          (model[i] = local[i] for a root)
+//! ```
+//!
+//! The right factor acts first, so a point given in the joint's own frame is moved by the joint's own motor, then by its
+//! parent's, and so on up to the root; a motor that places the whole skeleton in a world comes last, on the left of them all.
+//!
+//! Joints are stored depth-first: a parent stands before its children, and a joint together with everything below it is one
+//! contiguous run ([`Joint::group_size`]). One pass from front to back therefore suffices ([`local_to_model`]), and a whole
+//! limb is a slice. Lengths are in whatever unit the caller uses throughout; angles, where there are any, in radians.
+//!
+//! ```
+//! use pga_motor::skeleton::{Skeleton, local_to_model};
+//! use pga_motor::f64::{Direction, Motor, Rotor, Translator};
+//!
+//! let along_x = |length| Motor::from(Translator::from_vector(Direction::new(length, 0.0, 0.0)));
+//! let (arm, _) = Skeleton::from_parents([
+//!     ("shoulder", None, Motor::IDENTITY),
+//!     ("elbow", Some(0), along_x(3.0)),
+//!     ("wrist", Some(1), along_x(2.0)),
+//! ])?;
+//!
+//! // Bend the elbow by a quarter turn: the wrist ends up straight above it.
+//! let mut pose = arm.rest_pose().clone();
+//! pose[1] = pose[1] * Rotor::about_z(core::f64::consts::FRAC_PI_2);
+//! let mut model = vec![Motor::IDENTITY; arm.len()];
+//! local_to_model(&arm, &pose, &mut model)?;
+//!
+//! let wrist = model[2].transform_origin();
+//! assert!((wrist.x - 3.0).abs() < 1e-12 && (wrist.y - 2.0).abs() < 1e-12);
+//! # Ok::<(), pga_motor::skeleton::SkeletonError>(())
+//! ```
+
+mod error;
+mod hierarchy;
+mod joint;
+mod kinematics;
+mod order;
+mod pose;
+
+pub use error::SkeletonError;
+pub use hierarchy::Skeleton;
+pub use joint::Joint;
+pub use kinematics::local_to_model;
+pub use pose::Pose;
+
+#[cfg(test)]
+mod tests;
