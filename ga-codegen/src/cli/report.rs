@@ -3,7 +3,7 @@
 use super::source::{Source, compiled};
 use ga_codegen::Compiled;
 use ga_codegen::kernel::{Definition, Kernel};
-use ga_codegen::program::Count;
+use ga_codegen::program::{Bound, Count};
 use serde_json::{Value, json};
 use std::time::Instant;
 
@@ -17,9 +17,9 @@ pub(crate) fn run(source: &str, json: bool) -> Result<String, String> {
         let text = serde_json::to_string_pretty(&objects).map_err(|error| format!("error: {error}"))?;
         return Ok(text + "\n");
     }
-    let rows: Vec<[String; 5]> = pairs.iter().map(|(kernel, compiled)| row(&definition, kernel, compiled)).collect();
+    let rows: Vec<[String; 6]> = pairs.iter().map(|(kernel, compiled)| row(&definition, kernel, compiled)).collect();
     let mut text = format!("{source}: {} and {} kernels\n\n", definition.basis.signature(), rows.len());
-    text += &table(["kernel", "definition", "expanded", "emitted", "proof"], &rows);
+    text += &table(["kernel", "definition", "expanded", "emitted", "error / u", "proof"], &rows);
     text += &format!("\nAll {} kernels proved, in {:.2} s.\n", rows.len(), start.elapsed().as_secs_f64());
     Ok(text)
 }
@@ -30,7 +30,7 @@ fn signature(definition: &Definition, kernel: &Kernel) -> String {
     format!("({}) -> {}", parameters.join(", "), definition.entities[kernel.output].name)
 }
 
-fn row(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> [String; 5] {
+fn row(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> [String; 6] {
     let expanded = compiled.expanded.map_or("-".to_owned(), |count| format!("{}+{}", count.mul, count.add));
     let count = Count::of(&compiled.program);
     let further = [(count.div, "div"), (count.sqrt, "sqrt"), (count.trigonometric, "trig")];
@@ -39,15 +39,22 @@ fn row(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> [String
         emitted += &format!(" {number} {name}");
     }
     let meaning = format!("{} = {}", signature(definition, kernel), kernel.definition());
-    [compiled.name.clone(), meaning, expanded, emitted, compiled.proof.to_string()]
+    [compiled.name.clone(), meaning, expanded, emitted, bound_cell(compiled, definition), compiled.proof.to_string()]
+}
+
+/// The greatest number in the rounding-error bound of every part of the output, Euclidean first.
+fn bound_cell(compiled: &Compiled, definition: &Definition) -> String {
+    let Some(bound) = compiled.promised_bound(definition) else { return "-".to_owned() };
+    let factors: Vec<_> = bound.groups.iter().map(|group| group.display_factor(bound.roundings)).collect();
+    factors.join(", ")
 }
 
 /// Left-aligned columns under a header.
-fn table(header: [&str; 5], rows: &[[String; 5]]) -> String {
+fn table(header: [&str; 6], rows: &[[String; 6]]) -> String {
     let header = header.map(str::to_owned);
     let width = |column: usize| rows.iter().chain([&header]).map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<_> = (0..5).map(width).collect();
-    let rule: [String; 5] = std::array::from_fn(|column| "-".repeat(widths[column]));
+    let widths: Vec<_> = (0..6).map(width).collect();
+    let rule: [String; 6] = std::array::from_fn(|column| "-".repeat(widths[column]));
     let mut text = String::new();
     for row in [&header, &rule].into_iter().chain(rows) {
         let cells: Vec<_> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}")).collect();
@@ -80,7 +87,22 @@ fn object(definition: &Definition, kernel: &Kernel, compiled: &Compiled) -> Valu
             "fma": count.fma,
             "depth": count.depth,
         },
+        "bound": compiled.promised_bound(definition).map(|bound| bound_object(definition, compiled, &bound)),
         "proved": true,
         "proof": compiled.proof.to_string(),
     })
+}
+
+/// The rounding-error bound of every part of the output: the greatest number in it, and the whole of it for u = 1.
+fn bound_object(definition: &Definition, compiled: &Compiled, bound: &Bound) -> Value {
+    let names = compiled.parameter_names(definition);
+    let groups = bound.groups.iter().map(|group| {
+        json!({
+            "part": group.group.name(),
+            "factor": group.factor(),
+            "bound": group.display(bound.roundings, &names),
+            "roundings": bound.roundings,
+        })
+    });
+    groups.collect()
 }
