@@ -141,13 +141,32 @@ pub fn compile(definition: &Definition) -> syn::Result<Vec<Compiled>> {
     errors.into_result(compiled)
 }
 
-fn compile_kernel(definition: &Definition, index: usize) -> syn::Result<Vec<Compiled>> {
-    let kernel = &definition.kernels[index];
+/// A program that is to be found: a kernel or a part of one, what it means and what it is to be cheap in.
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// The part of the kernel.
+    pub part: Part,
+    /// What the program is to be cheap in.
+    pub model: CostModel,
+    /// The name of the emitted function.
+    pub name: String,
+    /// The name under which a recipe for it is kept.
+    pub recipe: String,
+    /// What it means.
+    pub specification: Specification,
+}
+
+/// The programs that a kernel asks for: one for each of its cost models, and its parts.
+///
+/// # Errors
+/// A kernel without meaning, or one that cannot be split as it asks.
+pub fn tasks(definition: &Definition, kernel: &Kernel) -> syn::Result<Vec<Task>> {
     let specification = specify(definition, kernel)?;
-    let mut programs = Vec::new();
+    let mut tasks = Vec::new();
     for (place, &model) in kernel.models.iter().enumerate() {
         let name = if place == 0 { kernel.name.clone() } else { format!("{}_{model}", kernel.name) };
-        programs.push(compile_part(definition, index, Part::Whole, name, &kernel.name, model, specification.clone())?);
+        let (recipe, specification) = (kernel.name.clone(), specification.clone());
+        tasks.push(Task { part: Part::Whole, model, name, recipe, specification });
     }
     if let Some(hoist) = &kernel.hoist {
         let (prepare, apply) = split(kernel, &specification)
@@ -156,25 +175,22 @@ fn compile_kernel(definition: &Definition, index: usize) -> syn::Result<Vec<Comp
         for (part, name, specification) in
             [(Part::Prepare, &hoist.prepare, prepare), (Part::Apply, &hoist.apply, apply)]
         {
-            programs.push(compile_part(definition, index, part, name.clone(), name, model, specification)?);
+            tasks.push(Task { part, model, name: name.clone(), recipe: name.clone(), specification });
         }
     }
-    Ok(programs)
+    Ok(tasks)
 }
 
-fn compile_part(
-    definition: &Definition,
-    index: usize,
-    part: Part,
-    name: String,
-    recipe: &str,
-    model: CostModel,
-    specification: Specification,
-) -> syn::Result<Compiled> {
+fn compile_kernel(definition: &Definition, index: usize) -> syn::Result<Vec<Compiled>> {
     let kernel = &definition.kernels[index];
+    tasks(definition, kernel)?.into_iter().map(|task| compile_task(definition, index, task)).collect()
+}
+
+fn compile_task(definition: &Definition, index: usize, task: Task) -> syn::Result<Compiled> {
+    let kernel = &definition.kernels[index];
+    let Task { part, model, name, recipe, specification } = task;
     let expanded = factor::expanded_count(&specification).map_err(|found| at(kernel, found.to_string()))?;
-    let recipe = definition.recipe(recipe, model);
-    let (program, proof) = proved_program(kernel, &specification, recipe, model)?;
+    let (program, proof) = proved_program(kernel, &specification, definition.recipe(&recipe, model), model)?;
     let bound = Bound::new(&specification, &program);
     Ok(Compiled { kernel: index, part, model, name, specification, program, proof, bound, expanded })
 }

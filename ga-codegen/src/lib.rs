@@ -40,4 +40,4 @@ pub mod reference;
 pub mod symbolic;
 mod syntax;
 
-pub use expand::{Compiled, Part, compile, define, expand};
+pub use expand::{Compiled, Part, Task, compile, define, expand, tasks};

@@ -2,9 +2,10 @@
 
 use super::source;
 use ga_codegen::factor::{Search, expanded_count, factor, read_recipe, replay, write_recipe};
-use ga_codegen::kernel::{Definition, Kernel, Specification};
-use ga_codegen::program::{CostModel, Count};
+use ga_codegen::kernel::{Definition, Kernel};
+use ga_codegen::program::Count;
 use ga_codegen::proof::prove;
+use ga_codegen::{Task, tasks};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Map, Value, json};
 use std::fs;
@@ -20,17 +21,8 @@ pub(crate) struct Request {
     pub(crate) output: Option<PathBuf>,
 }
 
-/// One program to look for, and what has come of it.
-struct Job<'a> {
-    kernel: &'a Kernel,
-    model: CostModel,
-    specification: Specification,
-}
-
-impl Job<'_> {
-    fn key(&self) -> String {
-        format!("{} {}", self.kernel.name, self.model)
-    }
+fn key(task: &Task) -> String {
+    format!("{} {}", task.recipe, task.model)
 }
 
 /// What a job leaves behind.
@@ -45,7 +37,7 @@ pub(crate) fn run(request: &Request) -> Result<String, String> {
     if let Some(name) = request.kernels.iter().find(|name| definition.kernel(name).is_none()) {
         return Err(format!("error: expected a kernel of {}, found `{name}`", request.source));
     }
-    let jobs = jobs(&definition, request);
+    let jobs = jobs(&definition, request)?;
     let state = Mutex::new(State::read(request.output.as_deref())?);
     let bar = ProgressBar::new(request.restarts * jobs.len() as u64);
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} restarts, {eta} left  {msg}");
@@ -74,18 +66,23 @@ pub(crate) fn run(request: &Request) -> Result<String, String> {
     }
 }
 
-/// Kernels and cost models, by their places in the definition.
-fn jobs(definition: &Definition, request: &Request) -> Vec<(usize, CostModel)> {
+/// Kernels and the places of their programs.
+fn jobs(definition: &Definition, request: &Request) -> Result<Vec<(usize, usize)>, String> {
+    let mut jobs = Vec::new();
     let asked = |kernel: &Kernel| request.kernels.is_empty() || request.kernels.contains(&kernel.name);
-    let polynomial = |(_, kernel): &(usize, &Kernel)| kernel.analytic.is_none() && asked(kernel);
-    let kernels = definition.kernels.iter().enumerate().filter(polynomial);
-    kernels.flat_map(|(index, kernel)| kernel.models.iter().map(move |&model| (index, model))).collect()
+    for (index, kernel) in definition.kernels.iter().enumerate() {
+        if kernel.analytic.is_none() && asked(kernel) {
+            let tasks = tasks(definition, kernel).map_err(|error| source::describe(&request.source, &error))?;
+            jobs.extend((0..tasks.len()).map(|task| (index, task)));
+        }
+    }
+    Ok(jobs)
 }
 
 /// Takes jobs until none is left. Definitions stay in their thread, so every worker reads its own.
 fn work(
     request: &Request,
-    jobs: &[(usize, CostModel)],
+    jobs: &[(usize, usize)],
     next: &AtomicUsize,
     found: &[Mutex<Option<Found>>],
     state: &Mutex<State>,
@@ -94,34 +91,33 @@ fn work(
     let definition = source::definition(&request.source)?;
     loop {
         let index = next.fetch_add(1, Ordering::Relaxed);
-        let (Some(&(kernel, model)), Some(slot)) = (jobs.get(index), found.get(index)) else { return Ok(()) };
-        let kernel = &definition.kernels[kernel];
-        let specification =
-            Specification::new(&definition, kernel).map_err(|error| format!("error: {}: {error}", kernel.name))?;
-        let result = search(&definition, &Job { kernel, model, specification }, request, state, bar)?;
+        let (Some(&(kernel, task)), Some(slot)) = (jobs.get(index), found.get(index)) else { return Ok(()) };
+        let tasks = tasks(&definition, &definition.kernels[kernel])
+            .map_err(|error| source::describe(&request.source, &error))?;
+        let result = search(&definition, &tasks[task], request, state, bar)?;
         *slot.lock().expect("invariant: no thread panics with the lock") = Some(result);
     }
 }
 
 fn search(
     definition: &Definition,
-    job: &Job<'_>,
+    task: &Task,
     request: &Request,
     state: &Mutex<State>,
     bar: &ProgressBar,
 ) -> Result<Found, String> {
-    let (name, model) = (&job.kernel.name, job.model);
-    let fail = |error: String| format!("error: {name}: {error}");
+    let fail = |error: String| format!("error: {}: {error}", task.recipe);
     let lock = || state.lock().expect("invariant: no thread panics with the lock");
-    let mut search = Search::new(&job.specification, model, name).map_err(|error| fail(error.to_string()))?;
-    if let Some(recipe) = definition.recipe(name, model)
-        && let Ok(program) = replay(&job.specification, recipe)
-        && prove(&job.specification, &program).is_ok()
+    let mut search =
+        Search::new(&task.specification, task.model, &task.recipe).map_err(|error| fail(error.to_string()))?;
+    if let Some(recipe) = definition.recipe(&task.recipe, task.model)
+        && let Ok(program) = replay(&task.specification, recipe)
+        && prove(&task.specification, &program).is_ok()
     {
         search.know(program);
     }
-    let mut done = lock().take(job, &mut search);
-    bar.set_message(format!("{name} {model}"));
+    let mut done = lock().take(task, &mut search);
+    bar.set_message(key(task));
     bar.inc(done.restarts.min(request.restarts));
     while done.restarts < request.restarts {
         if search.restart(done.restarts) {
@@ -130,26 +126,26 @@ fn search(
         done.restarts += 1;
         bar.inc(1);
         if done.restarts.is_multiple_of(SAVE_EVERY) {
-            lock().put(job, &done, &search)?;
+            lock().put(task, &done, &search)?;
         }
     }
-    lock().put(job, &done, &search)?;
-    finish(job, &search, &done).map_err(fail)
+    lock().put(task, &done, &search)?;
+    finish(task, &search, &done).map_err(fail)
 }
 
 const SAVE_EVERY: u64 = 500;
 
 /// The log line, and the recipe where it beats or replaces what expansion would have to search for itself.
-fn finish(job: &Job<'_>, search: &Search, done: &Done) -> Result<Found, String> {
+fn finish(task: &Task, search: &Search, done: &Done) -> Result<Found, String> {
     let best = search.best().ok_or("no program was found")?;
-    prove(&job.specification, best).map_err(|refutation| refutation.to_string())?;
-    let expanded = expanded_count(&job.specification).map_err(|error| error.to_string())?.unwrap_or_default();
-    let quick = factor(&job.specification, job.model).map_err(|error| error.to_string())?;
+    prove(&task.specification, best).map_err(|refutation| refutation.to_string())?;
+    let expanded = expanded_count(&task.specification).map_err(|error| error.to_string())?.unwrap_or_default();
+    let quick = factor(&task.specification, task.model).map_err(|error| error.to_string())?;
     let (count, quick) = (Count::of(best), Count::of(&quick));
     let line = format!(
         "{} {}: {}+{} ({} FMA, depth {}) from {}+{} expanded, {}+{} without search; {} starting points, {} restarts, found at {}\n",
-        job.kernel.name,
-        job.model,
+        task.recipe,
+        task.model,
         count.mul,
         count.add,
         count.fma,
@@ -162,8 +158,8 @@ fn finish(job: &Job<'_>, search: &Search, done: &Done) -> Result<Found, String> 
         done.restarts,
         done.found_at,
     );
-    let worth = count.flops() < expanded.flops() || job.model.cost(count) < job.model.cost(quick);
-    let recipe = worth.then(|| write_recipe(&job.specification, best, &job.kernel.name, job.model));
+    let worth = count.flops() < expanded.flops() || task.model.cost(count) < task.model.cost(quick);
+    let recipe = worth.then(|| write_recipe(&task.specification, best, &task.recipe, task.model));
     Ok(Found { recipe, line })
 }
 
@@ -193,12 +189,12 @@ impl State {
     }
 
     /// What was done for this job; the best program found goes to the search.
-    fn take(&self, job: &Job<'_>, search: &mut Search) -> Done {
-        let entry = self.entries.get(&job.key());
+    fn take(&self, task: &Task, search: &mut Search) -> Done {
+        let entry = self.entries.get(&key(task));
         let number = |field: &str| entry.and_then(|entry| entry.get(field)).and_then(Value::as_u64).unwrap_or(0);
         let recipe = entry.and_then(|entry| entry.get("recipe")).and_then(Value::as_str);
-        let program = recipe.and_then(|text| read_recipe(&job.specification, text).ok());
-        match program.filter(|program| prove(&job.specification, program).is_ok()) {
+        let program = recipe.and_then(|text| read_recipe(&task.specification, text).ok());
+        match program.filter(|program| prove(&task.specification, program).is_ok()) {
             Some(program) => {
                 search.know(program);
                 Done { restarts: number("restarts"), found_at: number("found_at") }
@@ -207,11 +203,11 @@ impl State {
         }
     }
 
-    fn put(&mut self, job: &Job<'_>, done: &Done, search: &Search) -> Result<(), String> {
+    fn put(&mut self, task: &Task, done: &Done, search: &Search) -> Result<(), String> {
         let Some(path) = &self.path else { return Ok(()) };
-        let recipe = search.best().map(|best| write_recipe(&job.specification, best, &job.kernel.name, job.model));
+        let recipe = search.best().map(|best| write_recipe(&task.specification, best, &task.recipe, task.model));
         let entry = json!({ "restarts": done.restarts, "found_at": done.found_at, "recipe": recipe });
-        self.entries.insert(job.key(), entry);
+        self.entries.insert(key(task), entry);
         let text = serde_json::to_string_pretty(&self.entries).map_err(|error| format!("error: {error}"))?;
         fs::write(path, text).map_err(|error| format!("error: {}: {error}", path.display()))
     }

@@ -75,7 +75,9 @@ fn output(
 ) -> (TokenStream, TokenStream, TokenStream) {
     let kernel = &definition.kernels[compiled.kernel];
     let output = &definition.entities[kernel.output];
-    let fields: Vec<_> = compiled.specification.fields.iter().map(|field| ident(field)).collect();
+    // A plain scalar's field has no name.
+    let fields = compiled.specification.fields.iter().filter(|field| !field.is_empty()).map(|field| ident(field));
+    let fields: Vec<_> = fields.collect();
     match kernel.hoist.as_ref().filter(|_| compiled.part == Part::Prepare) {
         Some(hoist) => {
             let name = ident(&hoist.record);
