@@ -99,7 +99,7 @@ fn bound_object(definition: &Definition, compiled: &Compiled, bound: &Bound) -> 
     let groups = bound.groups.iter().map(|group| {
         json!({
             "part": group.group.name(),
-            "factor": group.factor(),
+            "factor": (group.factor() * 1e6).ceil() / 1e6,
             "bound": group.display(bound.roundings, &names),
             "roundings": bound.roundings,
         })

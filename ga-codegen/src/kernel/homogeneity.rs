@@ -188,11 +188,13 @@ impl Dimensions {
 
     /// Requires that all monomials have the same degree; else which has not, and by how much it is off.
     fn require_equal(&mut self, polynomial: &Polynomial) -> Result<(), (Monomial, Rational)> {
-        let mut rows = polynomial.terms().map(|(monomial, _)| monomial);
-        let Some(first) = rows.next() else { return Ok(()) };
-        let first = self.row(first);
-        for monomial in rows.cloned().collect::<Vec<_>>() {
-            let row = subtract(&self.row(&monomial), Rational::ONE, &first);
+        let monomials: Vec<_> = polynomial.terms().map(|(monomial, _)| monomial).collect();
+        let alike = |a: &&Monomial| monomials.iter().filter(|b| self.degree(b) == self.degree(a)).count();
+        // The odd one out is to blame, so most of the others are the measure.
+        let Some(measure) = monomials.iter().copied().max_by_key(alike) else { return Ok(()) };
+        let measure = self.row(measure);
+        for monomial in monomials.into_iter().cloned() {
+            let row = subtract(&self.row(&monomial), Rational::ONE, &measure);
             self.add(row).map_err(|excess| (monomial, excess))?;
         }
         Ok(())

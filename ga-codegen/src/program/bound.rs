@@ -1,30 +1,4 @@
 //! How far a program's floating-point results can be from its exact ones.
-//!
-//! The standard model of floating-point arithmetic is that an operation returns its exact result times 1 + d with
-//! |d| <= u, the unit roundoff (2^-24 for f32, 2^-53 for f64), overflow and underflow excluded. Expand a polynomial
-//! program without cancelling anything: every term of an output is a product of inputs and constants, and what is computed
-//! is each such term times a product of factors 1 + d, one for every rounding that the term went through. Negations,
-//! doublings and products with powers of two round nothing. A product of k such factors is 1 + t with
-//! |t| <= k u / (1 - k u), see N. J. Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd edition, Lemma 3.1. So,
-//! with K the most roundings of a term and x the inputs,
-//!
-//! ```text
-//! |computed_i - exact_i| <= u / (1 - K u) E_i(|x|),     E_i = sum over the terms of  roundings |coefficient| monomial.
-//! ```
-//!
-//! The E_i are turned into norms. The coefficients of a multivector are two groups that scale differently with the unit of
-//! length: those of blades without a null generator, its Euclidean group, and the ideal group. For the outputs of one
-//! group and the monomials of one multidegree in the groups of the inputs, let A be the matrix of the coefficients of the
-//! E_i, each divided by the square root of its monomial's multinomial coefficient w in the product of the groups'
-//! squared norms. As the sum of w monomial^2 is that product, these groups of E have at most the 2-norm |A| times the product
-//! of the norms, and the bound of a group is a polynomial in the norms of the groups of the inputs:
-//!
-//! ```text
-//! |computed - exact| of the group <= u / (1 - K u) sum over multidegrees of  |A| product of norms.
-//! ```
-//!
-//! It holds for every input, whether or not it keeps what its type promises, and remains true where a product and a sum are
-//! fused into one rounding. Where a unit of length is scaled, both sides scale alike.
 
 mod packing;
 mod spectral;
@@ -89,8 +63,32 @@ pub struct GroupBound {
     pub terms: Vec<BoundTerm>,
 }
 
-/// A bound of the 2-norm of the rounding error, group by group of the output; see the source of this module for its
-/// derivation.
+/// A bound of the 2-norm of the rounding error of a polynomial program, for each group of its outputs.
+///
+/// # Roundings
+/// In the standard model of floating-point arithmetic an operation returns its exact result times 1 + d with |d| <= u, the
+/// unit roundoff (2^-24 for f32, 2^-53 for f64), where nothing overflows or underflows. Expand a program without cancelling
+/// anything: every term of an output is a product of inputs and constants, and what is computed is the sum of these
+/// terms, each times a factor 1 + d for every rounding that it went through. Negations, doublings and products with powers
+/// of two round nothing. A product of k such factors is 1 + t with |t| <= k u / (1 - k u): N. J. Higham, *Accuracy and
+/// Stability of Numerical Algorithms*, 2nd edition, Lemma 3.1. So, with K the most roundings of a term and x the inputs,
+/// ```text
+/// |computed_i - exact_i| <= u / (1 - K u) E_i(|x|),    E_i = sum over the terms of  roundings |coefficient| |monomial|.
+/// ```
+/// That is no first-order estimate, and it remains true where a product and a sum are fused into one rounding.
+///
+/// # Norms
+/// The coefficients of a multivector are two groups, which scale differently with the unit of length: those of blades
+/// without a null generator, the Euclidean group, and all others, the ideal group. Take the outputs of one group and, in
+/// their E_i, the monomials of one multidegree in the groups of the inputs. The square of the product of the groups' norms,
+/// expanded, is the sum of w monomial^2 with multinomial coefficients w. So if A is the matrix of the coefficients in the
+/// E_i, each divided by the root of its monomial's w, this part of the E_i has a 2-norm of at most |A|, the spectral norm,
+/// times the product of the norms. Added up,
+/// ```text
+/// |computed - exact| of a group of outputs <= u / (1 - K u) sum over the multidegrees of  |A| product of norms
+/// ```
+/// for all inputs, whether or not they keep what their types promise. Both sides scale alike with the unit of length. |A| is
+/// computed from above.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bound {
     /// K, the most roundings that a term goes through.
@@ -100,7 +98,7 @@ pub struct Bound {
 }
 
 impl Bound {
-    /// The bound of a program; `None` where it is no polynomial, or one in the groups of more than some thirty parameters.
+    /// The bound of a program; `None` where it is no polynomial, or has more than some thirty parameters.
     pub fn new(specification: &Specification, program: &Program) -> Option<Self> {
         let packing = Packing::new(specification, program)?;
         let values = weigh(&packing, program)?;
@@ -119,7 +117,7 @@ impl Bound {
         Some(Self { roundings, groups })
     }
 
-    /// The same in fewer norms, for inputs whose Euclidean groups have norm 1 where their types promise it.
+    /// The same in fewer norms, for inputs whose Euclidean group has norm 1 where their types promise it.
     pub fn promised(&self, inputs: &[&Entity], signature: Signature) -> Self {
         let unit: Vec<bool> = inputs.iter().map(|entity| is_unit(entity, signature)).collect();
         let simplify = |bound: &GroupBound| {
@@ -134,15 +132,13 @@ impl Bound {
         };
         Self { roundings: self.roundings, groups: self.groups.iter().map(simplify).collect() }
     }
-}
 
-impl Bound {
     /// The bound as a sentence without its full stop, see [`GroupBound::display`] for what its u is.
     pub fn display(&self, names: &[&str]) -> String {
         let inexact: Vec<_> = self.groups.iter().filter(|group| !group.terms.is_empty()).collect();
         let sum = |group: &GroupBound| {
             let text = group.display(self.roundings, names);
-            if group.terms.len() > 1 { format!("u ({text})") } else { format!("u {text}") }
+            if group.terms.len() > 1 { format!("`({text}) u`") } else { format!("`{text} u`") }
         };
         match inexact.as_slice() {
             [] => "none".to_owned(),
@@ -181,7 +177,8 @@ impl GroupBound {
 
 impl BoundTerm {
     fn display(&self, roundings: u32, names: &[&str]) -> String {
-        let mut factors = vec![round_up(self.factor, roundings)];
+        let number = round_up(self.factor, roundings);
+        let mut factors = if number == "1" && !self.norms.is_empty() { Vec::new() } else { vec![number] };
         for group in self.norms.chunk_by(|a, b| a == b) {
             let name = names.get(group[0].parameter).copied().unwrap_or("?");
             let index = if group[0].group == Group::Ideal { "_0" } else { "" };
@@ -256,7 +253,7 @@ fn combine(packing: &Packing, rows: &[&Weighted]) -> Vec<BoundTerm> {
     matrices.into_iter().map(bound).collect()
 }
 
-/// Whether a type promises that its Euclidean group has norm 1 or fixes it so.
+/// Whether a type promises that its Euclidean group has norm 1.
 fn is_unit(entity: &Entity, signature: Signature) -> bool {
     let squares = entity.fields().enumerate().filter(|(_, (_, c))| c.blade.null_degree(signature) == 0);
     let mut sum = Polynomial::constant(Rational::MINUS_ONE);
