@@ -2,9 +2,9 @@
 
 use crate::emit;
 use crate::factor::{self, factor};
-use crate::kernel::{Definition, Kernel, Specification, SpecificationError, split};
+use crate::kernel::{self, Definition, Hoist, Kernel, Specification, SpecificationError, split};
 use crate::lower::{Errors, lower};
-use crate::program::{CostModel, Count, Program, Recipe};
+use crate::program::{Bound, CostModel, Count, Program, Recipe};
 use crate::proof::{Proof, Refutation, prove};
 use crate::syntax::parse;
 use proc_macro2::TokenStream;
@@ -37,8 +37,25 @@ pub struct Compiled {
     pub program: Program,
     /// What has been proved.
     pub proof: Proof,
+    /// How far its results can be from exact ones; `None` for an analytic kernel.
+    pub bound: Option<Bound>,
     /// Multiplications and additions of the definition expanded, nothing shared; `None` for an analytic kernel.
     pub expanded: Option<Count>,
+}
+
+impl Compiled {
+    /// The names of the program's parameters, the record between the parts behind those of the kernel.
+    pub fn parameter_names<'a>(&self, definition: &'a Definition) -> Vec<&'a str> {
+        let own = definition.kernels[self.kernel].parameters.iter().map(|parameter| parameter.name.as_str());
+        own.chain([Hoist::RECORD]).collect()
+    }
+
+    /// The bound for inputs that keep what their types promise.
+    pub fn promised_bound(&self, definition: &Definition) -> Option<Bound> {
+        let parameters = definition.kernels[self.kernel].parameters.iter();
+        let inputs: Vec<_> = parameters.map(|parameter| &definition.entities[parameter.entity]).collect();
+        Some(self.bound.as_ref()?.promised(&inputs, definition.basis.signature()))
+    }
 }
 
 /// Expands a definition block into Rust: entities, kernels as functions, operators.
@@ -100,7 +117,12 @@ pub fn expand(input: TokenStream) -> syn::Result<TokenStream> {
 /// # Errors
 /// Everything that is wrong with the block up to there, combined.
 pub fn define(input: TokenStream) -> syn::Result<Definition> {
-    lower(&parse(input)?)
+    let definition = lower(&parse(input)?)?;
+    let mut errors = Errors::default();
+    for (span, inhomogeneous) in kernel::check_relations(&definition) {
+        errors.push(span, inhomogeneous);
+    }
+    errors.into_result(definition)
 }
 
 /// Specifies, factors and proves every kernel of a definition, in its order, once for each of its cost models.
@@ -169,12 +191,13 @@ fn compile_task(definition: &Definition, index: usize, task: Task) -> syn::Resul
     let Task { part, model, name, recipe, specification } = task;
     let expanded = factor::expanded_count(&specification).map_err(|found| at(kernel, found.to_string()))?;
     let (program, proof) = proved_program(kernel, &specification, definition.recipe(&recipe, model), model)?;
-    Ok(Compiled { kernel: index, part, model, name, specification, program, proof, expanded })
+    let bound = Bound::new(&specification, &program);
+    Ok(Compiled { kernel: index, part, model, name, specification, program, proof, bound, expanded })
 }
 
 /// The meaning of a kernel, errors at the output type where that is to blame.
 fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specification> {
-    Specification::new(definition, kernel).map_err(|found| {
+    let specification = Specification::new(definition, kernel).map_err(|found| {
         let span = match &found {
             SpecificationError::CannotHold(..)
             | SpecificationError::WrongConstant(..)
@@ -183,7 +206,9 @@ fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specificatio
             _ => kernel.span,
         };
         syn::Error::new(span, format!("kernel `{}`: {found}", kernel.name))
-    })
+    })?;
+    kernel::check_kernel(definition, kernel, &specification).map_err(|found| at(kernel, found.to_string()))?;
+    Ok(specification)
 }
 
 /// The program of the recipe, if there is one, else the cheapest that is found at once; proved either way.

@@ -3,7 +3,7 @@
 use super::source::{Source, compiled};
 use anstyle::{AnsiColor, Style};
 use ga_codegen::kernel::Definition;
-use ga_codegen::program::Count;
+use ga_codegen::program::{Bound, Count};
 use ga_codegen::{Compiled, Part};
 use serde_json::{Value, json};
 use std::time::Instant;
@@ -16,7 +16,8 @@ pub(crate) enum Format {
     Markdown,
 }
 
-const HEADER: [&str; 8] = ["kernel", "definition", "model", "expanded", "emitted", "FMA", "depth", "proof"];
+const HEADER: [&str; 9] =
+    ["kernel", "definition", "model", "expanded", "emitted", "FMA", "depth", "error / u", "proof"];
 
 /// The report on a definition. Styles are for a terminal; who prints to something else strips them.
 pub(crate) fn run(source: &str, format: Format) -> Result<String, String> {
@@ -64,7 +65,7 @@ fn meaning(definition: &Definition, compiled: &Compiled) -> String {
     format!("{} = {}{part}", signature(definition, compiled), kernel.definition())
 }
 
-fn row(definition: &Definition, compiled: &Compiled) -> [String; 8] {
+fn row(definition: &Definition, compiled: &Compiled) -> [String; 9] {
     let expanded = compiled.expanded.map_or("-".to_owned(), |count| format!("{}+{}", count.mul, count.add));
     let count = Count::of(&compiled.program);
     let further = [(count.div, "div"), (count.sqrt, "sqrt"), (count.trigonometric, "trig")];
@@ -80,21 +81,29 @@ fn row(definition: &Definition, compiled: &Compiled) -> [String; 8] {
         emitted,
         count.fma.to_string(),
         count.depth.to_string(),
+        bound_cell(compiled, definition),
         compiled.proof.to_string(),
     ]
 }
 
+/// The greatest number in the rounding-error bound of every part of the output, Euclidean first.
+fn bound_cell(compiled: &Compiled, definition: &Definition) -> String {
+    let Some(bound) = compiled.promised_bound(definition) else { return "-".to_owned() };
+    let factors: Vec<_> = bound.groups.iter().map(|group| group.display_factor(bound.roundings)).collect();
+    factors.join(", ")
+}
+
 /// Left-aligned columns under a bold header.
-fn table(rows: &[[String; 8]]) -> String {
+fn table(rows: &[[String; 9]]) -> String {
     let header = HEADER.map(str::to_owned);
     let width = |column: usize| rows.iter().chain([&header]).map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: [usize; 8] = std::array::from_fn(width);
-    let line = |row: &[String; 8]| {
+    let widths: [usize; 9] = std::array::from_fn(width);
+    let line = |row: &[String; 9]| {
         let cells: Vec<_> = row.iter().zip(widths).map(|(cell, width)| format!("{cell:width$}")).collect();
         cells.join("  ").trim_end().to_owned()
     };
     let bold = Style::new().bold();
-    let rule: [String; 8] = widths.map(|width| "-".repeat(width));
+    let rule: [String; 9] = widths.map(|width| "-".repeat(width));
     let mut text = format!("{bold}{}{bold:#}\n{}\n", line(&header), line(&rule));
     for row in rows {
         text += &line(row);
@@ -103,7 +112,7 @@ fn table(rows: &[[String; 8]]) -> String {
     text
 }
 
-fn markdown(rows: &[[String; 8]]) -> String {
+fn markdown(rows: &[[String; 9]]) -> String {
     let escaped = |cell: &String| cell.replace('|', "\\|");
     let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
     let mut text = line(HEADER.map(str::to_owned).to_vec());
@@ -136,7 +145,22 @@ fn object(definition: &Definition, compiled: &Compiled) -> Value {
             "fma": count.fma,
             "depth": count.depth,
         },
+        "bound": compiled.promised_bound(definition).map(|bound| bound_object(definition, compiled, &bound)),
         "proved": true,
         "proof": compiled.proof.to_string(),
     })
+}
+
+/// The rounding-error bound of every part of the output: the greatest number in it, and the whole of it for u = 1.
+fn bound_object(definition: &Definition, compiled: &Compiled, bound: &Bound) -> Value {
+    let names = compiled.parameter_names(definition);
+    let groups = bound.groups.iter().map(|group| {
+        json!({
+            "part": group.group.name(),
+            "factor": (group.factor() * 1e6).ceil() / 1e6,
+            "bound": group.display(bound.roundings, &names),
+            "roundings": bound.roundings,
+        })
+    });
+    groups.collect()
 }

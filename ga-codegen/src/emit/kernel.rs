@@ -22,12 +22,10 @@ pub(super) fn needs_real(program: &Program) -> bool {
 /// parts comes with the first.
 pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Result<TokenStream> {
     let kernel = &definition.kernels[compiled.kernel];
-    let parameter_name = |index: usize| kernel.parameters.get(index).map_or(Hoist::RECORD, |p| p.name.as_str());
+    let names = compiled.parameter_names(definition);
     let coefficients = &compiled.specification.coefficients;
-    let inputs: Vec<_> = coefficients.iter().map(|c| access(parameter_name(c.parameter), &c.field)).collect();
-    let mut reserved: Vec<_> = kernel.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-    reserved.push(Hoist::RECORD);
-    let body = body(&compiled.program, &inputs, &reserved, kernel.span)?;
+    let inputs: Vec<_> = coefficients.iter().map(|c| access(names[c.parameter], &c.field)).collect();
+    let body = body(&compiled.program, &inputs, &names, kernel.span)?;
     let parameters = parameters(definition, compiled);
     let (record, output_type, result) = output(definition, compiled, &body.outputs);
     let (docs, name) = (doc(&documentation(definition, compiled)), ident(&compiled.name));
@@ -77,7 +75,9 @@ fn output(
 ) -> (TokenStream, TokenStream, TokenStream) {
     let kernel = &definition.kernels[compiled.kernel];
     let output = &definition.entities[kernel.output];
-    let fields: Vec<_> = compiled.specification.fields.iter().map(|field| ident(field)).collect();
+    // A plain scalar's field has no name.
+    let fields = compiled.specification.fields.iter().filter(|field| !field.is_empty()).map(|field| ident(field));
+    let fields: Vec<_> = fields.collect();
     match kernel.hoist.as_ref().filter(|_| compiled.part == Part::Prepare) {
         Some(hoist) => {
             let name = ident(&hoist.record);
@@ -146,6 +146,11 @@ fn documentation(definition: &Definition, compiled: &Compiled) -> Vec<String> {
         lines.push(String::new());
     }
     lines.push(format!("Cost: {}. Proof: {}.", Count::of(&compiled.program), compiled.proof));
+    if let Some(bound) = compiled.promised_bound(definition) {
+        let text = bound.display(&compiled.parameter_names(definition));
+        lines.push(String::new());
+        lines.push(format!("Rounding error: {text}."));
+    }
     lines
 }
 

@@ -32,6 +32,11 @@ pub fn rust(definition: &Definition, compiled: &[Compiled]) -> syn::Result<Token
         #scalar
         #(#entities)*
         /// The kernels: every operation as a function, proved equal to its definition.
+        ///
+        /// Rounding errors are 2-norms of the difference between what is computed and the exact result for the same
+        /// inputs, unless something overflows or underflows. `u` is 1.0001 times the unit roundoff, which is 2^-24 for f32
+        /// and 2^-53 for f64. `|a|` is the norm of the coefficients of `a` before blades without a null generator, `|a|_0`
+        /// that of its other coefficients. Where a type promises that `|a|` is 1 it is left out.
         pub mod kernels {
             use super::*;
             #functions

@@ -95,9 +95,10 @@ pub fn split(kernel: &Kernel, specification: &Specification) -> Result<(Specific
         }
         sums.push(sum);
     }
-    let prepare = prepare(specification, projection, names.clone()).map_err(overflow)?;
+    let prepare = prepare(specification, projection, names).map_err(overflow)?;
     check_composition(specification, &prepare, &sums).map_err(overflow)?;
-    Ok((prepare, apply(kernel, specification, names, sums)))
+    let apply = apply(kernel, specification, &prepare, sums);
+    Ok((prepare, apply))
 }
 
 /// The varying parts of an output's terms, none of more than first degree.
@@ -153,14 +154,15 @@ fn prepare(
 fn apply(
     kernel: &Kernel,
     specification: &Specification,
-    names: Vec<String>,
+    prepare: &Specification,
     outputs: Vec<Polynomial>,
 ) -> Specification {
     let mut coefficients = specification.coefficients.clone();
-    coefficients.extend(names.into_iter().map(|field| Coefficient {
+    coefficients.extend(prepare.fields.iter().zip(prepare.output_degrees()).map(|(field, degree)| Coefficient {
         parameter: kernel.parameters.len(),
+        field: field.clone(),
         name: format!("{}.{field}", Hoist::RECORD),
-        field,
+        degree,
     }));
     Specification {
         coefficients,

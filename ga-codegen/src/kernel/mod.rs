@@ -4,11 +4,13 @@
 mod entity;
 mod expression;
 mod hoist;
+mod homogeneity;
 mod specification;
 
 pub use entity::{Component, ComponentValue, Entity, Statement};
 pub use expression::{Expression, ExpressionKind, Function, Operator};
 pub use hoist::{Hoist, Projection, split};
+pub use homogeneity::{Inhomogeneous, check_kernel, check_relations};
 pub use specification::{Analytic, Coefficient, Specification, SpecificationError};
 
 use crate::algebra::Basis;

@@ -1,8 +1,8 @@
 //! The exact meaning of a kernel: polynomials over the coefficients of its inputs, and what holds between those.
 
 use super::{Component, ComponentValue, Definition, Entity, Expression, Kernel, Projection};
-use crate::algebra::Basis;
-use crate::symbolic::{Multivector, Overflow, Polynomial, Relation, Relations, RelationsError, Symbol};
+use crate::algebra::{Basis, Signature};
+use crate::symbolic::{Monomial, Multivector, Overflow, Polynomial, Relation, Relations, RelationsError, Symbol};
 use std::fmt;
 
 /// A function of a multivector that is not a polynomial.
@@ -23,6 +23,8 @@ pub struct Coefficient {
     pub field: String,
     /// The name in messages, such as `m.e23`.
     pub name: String,
+    /// Its degree in the unit of length: how many null generators its blade has.
+    pub degree: u32,
 }
 
 /// The exact meaning of a kernel.
@@ -116,16 +118,21 @@ struct Instance {
 }
 
 impl Instance {
-    fn new<'a>(inputs: impl IntoIterator<Item = (&'a str, &'a Entity)>) -> Result<Self, SpecificationError> {
+    fn new<'a>(
+        signature: Signature,
+        inputs: impl IntoIterator<Item = (&'a str, &'a Entity)>,
+    ) -> Result<Self, SpecificationError> {
         let mut instance = Self { coefficients: Vec::new(), multivectors: Vec::new(), relations: Vec::new() };
         for (parameter, (name, entity)) in inputs.into_iter().enumerate() {
             let first = instance.coefficients.len() as Symbol;
             instance.multivectors.push(entity.symbolic(first));
             instance.relations.extend(entity.statements.iter().map(|statement| statement.relation.shifted(first)));
-            instance.coefficients.extend(entity.fields().map(|(field, _)| Coefficient {
+            let degree = |component: &Component| component.blade.null_degree(signature);
+            instance.coefficients.extend(entity.fields().map(|(field, component)| Coefficient {
                 parameter,
                 field: field.to_owned(),
                 name: if field.is_empty() { name.to_owned() } else { format!("{name}.{field}") },
+                degree: degree(component),
             }));
             if instance.coefficients.len() > MAX_SYMBOLS {
                 return Err(SpecificationError::TooLarge);
@@ -143,7 +150,8 @@ impl Specification {
     /// analytic ones the proof decides that. Relations without normal form; overflow.
     pub fn new(definition: &Definition, kernel: &Kernel) -> Result<Self, SpecificationError> {
         let typed = kernel.parameters.iter().map(|p| (p.name.as_str(), &definition.entities[p.entity]));
-        let Instance { coefficients, multivectors: inputs, mut relations } = Instance::new(typed)?;
+        let Instance { coefficients, multivectors: inputs, mut relations } =
+            Instance::new(definition.basis.signature(), typed)?;
         relations.extend(kernel.statements.iter().map(|statement| statement.relation.clone()));
         let stated = relations.iter().map(|relation| relation.polynomial().clone()).collect();
         let relations = Relations::new(&relations).map_err(SpecificationError::Relations)?;
@@ -188,6 +196,22 @@ impl Specification {
                 Err(SpecificationError::NotABivector(named.name.clone(), value))
             }
         }
+    }
+
+    /// The degree of a monomial in the unit of length.
+    pub fn degree(&self, monomial: &Monomial) -> u32 {
+        monomial.symbols().iter().map(|&symbol| self.coefficients[usize::from(symbol)].degree).sum()
+    }
+
+    /// The degrees of [`Specification::fields`] in the unit of length: those of the output's blades, and those of their
+    /// polynomials for the fields of a record.
+    pub fn output_degrees(&self) -> Vec<u32> {
+        if self.projection.is_none() {
+            let signature = self.basis.signature();
+            return self.output.fields().map(|(_, component)| component.blade.null_degree(signature)).collect();
+        }
+        let first = |output: &Polynomial| output.terms().next().map_or(0, |(monomial, _)| self.degree(monomial));
+        self.outputs.iter().map(first).collect()
     }
 
     /// The names of the symbols.

@@ -1,11 +1,13 @@
 //! Straight-line programs in static single assignment: what is proved, counted and emitted.
 
+mod bound;
 mod builder;
 mod cost;
 mod count;
 mod evaluate;
 mod recipe;
 
+pub use bound::{Bound, BoundTerm, Group, GroupBound, Norm};
 pub use builder::ProgramBuilder;
 pub use cost::CostModel;
 pub use count::Count;
