@@ -117,7 +117,8 @@ fn prove_polynomials(specification: &Specification, program: &Program) -> Result
     for ((field, computed), specified) in specification.fields.iter().zip(&computed).zip(&specification.outputs) {
         let difference = specification.relations.difference(computed, specified)?;
         if !difference.is_zero() {
-            return Err(Refutation::Different(field.clone(), difference.display(&names)));
+            let field = if field.is_empty() { "1" } else { field };
+            return Err(Refutation::Different(field.to_owned(), difference.display(&names)));
         }
     }
     Ok(Proof::Exact)

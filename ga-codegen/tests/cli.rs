@@ -154,7 +154,7 @@ fn the_command_alone_is_the_report_of_pga3d() {
     let without_time = |text: String| text.rsplit_once(" proved, in ").expect("the time at the end").0.to_owned();
     let alone = without_time(printed(&[]));
     assert_eq!(alone, without_time(printed(&["report", "pga3d"])));
-    assert!(alone.starts_with("pga3d: Cl(3,0,1) and "), "{alone}");
+    assert!(alone.starts_with("pga3d: Cl(3,0,1), "), "{alone}");
     assert!(alone.contains("(m: Motor, p: Point) -> Point = m >> p"), "{alone}");
 }
 

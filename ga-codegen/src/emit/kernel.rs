@@ -5,7 +5,7 @@ use super::{doc, entity_type, ident};
 use crate::expand::{Compiled, Part};
 use crate::kernel::{Definition, Hoist, Kernel};
 use crate::program::{Count, Operation, Program};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// Whether a program needs more than a ring.
@@ -60,11 +60,20 @@ fn parameters(definition: &Definition, compiled: &Compiled) -> Vec<TokenStream> 
             _ => false,
         };
         let used = compiled.program.operations.iter().any(used);
-        let name = if used { ident(&parameter.name) } else { format_ident!("_{}", parameter.name) };
+        let name = if used { ident(&parameter.name) } else { unused_name(kernel, &parameter.name) };
         let entity = entity_type(&definition.entities[parameter.entity]);
         quote!(#name: #entity)
     });
     record.into_iter().chain(own).collect()
+}
+
+/// A name with an underscore before it that no other parameter has.
+fn unused_name(kernel: &Kernel, name: &str) -> Ident {
+    let mut unused = format!("_{name}");
+    while kernel.parameters.iter().any(|parameter| parameter.name == unused) {
+        unused.insert(0, '_');
+    }
+    ident(&unused)
 }
 
 /// The struct of a record where the function makes one, the return type, and the expression for the result.
