@@ -143,6 +143,13 @@ pub fn prove_evaluation(program: &Program, polynomials: &[Polynomial], inputs: u
     Ok(Proof::Exact)
 }
 
+/// Every value of a program of ring operations, as a polynomial in its inputs; `None` for another program.
+pub(crate) fn evaluate_polynomials(program: &Program, inputs: usize) -> Option<Vec<Polynomial>> {
+    let inputs: Vec<_> = (0..inputs).map(|symbol| Polynomial::symbol(symbol as Symbol)).collect();
+    let all = Program { operations: program.operations.clone(), outputs: (0..program.operations.len()).collect() };
+    all.evaluate(&PolynomialDomain, &inputs).ok()
+}
+
 /// The exponential series of a bivector, and the ring of its coefficients.
 struct Exponential {
     ring: SeriesRing,

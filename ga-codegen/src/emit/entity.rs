@@ -9,6 +9,7 @@ use crate::program::Program;
 use crate::symbolic::{Polynomial, Rational, Relations, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
+use std::collections::BTreeMap;
 
 /// The struct of an entity and its implementations.
 pub(super) fn entity(entity: &Entity) -> syn::Result<TokenStream> {
@@ -323,7 +324,7 @@ fn relation_errors(entity: &Entity) -> syn::Result<TokenStream> {
     let relations: Vec<_> = entity.statements.iter().map(|s| s.relation.polynomial().clone()).collect();
     let program = check_evaluates(entity, &relations)?;
     let inputs: Vec<_> = fields(entity).iter().map(|field| quote!(self.#field)).collect();
-    let body = body(&program, &inputs, &["self"], entity.span)?;
+    let body = body(&program, &inputs, &["self"], &BTreeMap::new(), entity.span)?;
     let (statements, outputs, count) = (body.statements, body.outputs, Literal::usize_unsuffixed(relations.len()));
     let texts: Vec<_> = entity.statements.iter().map(|s| format!("`{}`", s.text)).collect();
     let text = format!(" Left minus right side of {}.", texts.join(", "));

@@ -1,7 +1,7 @@
 //! Functions from kernels.
 
 use super::body::{access, body};
-use super::{doc, entity_type, ident};
+use super::{doc, entity_type, ident, meaning};
 use crate::expand::{Compiled, Part};
 use crate::kernel::{Definition, Hoist, Kernel};
 use crate::program::{Count, Operation, Program};
@@ -25,7 +25,7 @@ pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Res
     let names = compiled.parameter_names(definition);
     let coefficients = &compiled.specification.coefficients;
     let inputs: Vec<_> = coefficients.iter().map(|c| access(names[c.parameter], &c.field)).collect();
-    let body = body(&compiled.program, &inputs, &names, kernel.span)?;
+    let body = body(&compiled.program, &inputs, &names, &meaning::names(compiled), kernel.span)?;
     let parameters = parameters(definition, compiled);
     let (record, output_type, result) = output(definition, compiled, &body.outputs);
     let (docs, name) = (doc(&documentation(definition, compiled)), ident(&compiled.name));
