@@ -347,6 +347,13 @@ fn a_search_leaves_recipes_that_expansion_replays() {
     assert_eq!(search("40"), log);
     assert_eq!(std::fs::read_to_string(&recipes).expect("the recipes"), found);
 
+    // A search for some kernels leaves the recipes of the others.
+    let (two, more) =
+        (file("two.ga", &format!("{SANDWICH}kernel back(r: Rotor, v: Vector) -> Vector = ~r >> v;\n")), found.clone());
+    printed(&["search", text(&two), "--kernel", "back", "--restarts", "10", "-o", text(&recipes)]);
+    let both = std::fs::read_to_string(&recipes).expect("the recipes");
+    assert!(both.starts_with(&more) && both.contains("recipe back flops {\n"), "{both}");
+
     // The block with the recipes is replayed and proved.
     let both = file("turned.ga", &format!("{SANDWICH}{found}"));
     let report = printed(&["report", text(&both)]);
