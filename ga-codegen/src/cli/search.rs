@@ -73,21 +73,26 @@ pub(crate) fn run(request: &Request) -> Result<String, String> {
 /// Where a recipe stands among those of a definition: the kernel, the program.
 type Place = (usize, usize);
 
-/// The recipes in the output file for kernels that are not searched.
+/// The recipes in the output file, where they belong to programs of the definition.
 fn kept(definition: &Definition, request: &Request) -> BTreeMap<Place, String> {
-    let mut kept = BTreeMap::new();
-    let Some(Ok(text)) = request.output.as_ref().map(fs::read_to_string) else { return kept };
+    let Some(Ok(text)) = request.output.as_ref().map(fs::read_to_string) else { return BTreeMap::new() };
+    let places: BTreeMap<String, Place> = definition
+        .kernels
+        .iter()
+        .enumerate()
+        .flat_map(|(kernel, found)| {
+            let tasks = tasks(definition, found).unwrap_or_default();
+            tasks.into_iter().enumerate().map(move |(task, found)| (key(&found), (kernel, task)))
+        })
+        .collect();
     let starts: Vec<_> = text.match_indices("recipe ").map(|(start, _)| start).collect();
-    for (index, &start) in starts.iter().enumerate() {
-        let recipe = &text[start..starts.get(index + 1).copied().unwrap_or(text.len())];
-        let place = definition.kernels.iter().enumerate().find_map(|(kernel, found)| {
-            let tasks = tasks(definition, found).ok()?;
-            let task = tasks.iter().position(|task| recipe.starts_with(&format!("recipe {} {{", key(task))))?;
-            Some((kernel, task))
-        });
-        kept.extend(place.map(|place| (place, recipe.to_owned())));
-    }
-    kept
+    let ends = starts.iter().skip(1).copied().chain([text.len()]);
+    let recipes = starts.iter().zip(ends).map(|(&start, end)| &text[start..end]);
+    let placed = recipes.filter_map(|recipe| {
+        let key = recipe.strip_prefix("recipe ")?.split(" {").next()?;
+        Some((*places.get(key)?, recipe.to_owned()))
+    });
+    placed.collect()
 }
 
 /// Kernels and the places of their programs.
