@@ -323,6 +323,17 @@ fn what_has_no_series_is_an_error() {
     assert!(undefined(ring.quotient(&one, &radical, Rational::ONE)), "a pole");
     assert!(undefined(ring.quotient(&radical, &x, Rational::ONE)), "a division by an unknown");
     assert!(undefined(ring.atan2(&one, &x)), "an angle about a right angle");
+    let times_x = ring.mul(&x, &radical).expect("small numbers");
+    assert!(undefined(ring.quotient(&times_x, &radical, Rational::ZERO)), "a limit that depends on an unknown");
+    let forms = [
+        polynomial(&[(1, &[0, 0]), (-1, &[1, 1])]),
+        polynomial(&[(-1, &[0, 0])]),
+        polynomial(&[(1, &[0, 0]), (1, &[0, 1])]),
+    ];
+    for form in forms {
+        let indefinite = SeriesRing::new(ORDER, RADICAL, &form);
+        assert!(matches!(indefinite, Err(SeriesError::Undefined(_))), "a radical that may not be real: {form:?}");
+    }
     let cubic = SeriesRing::new(ORDER, RADICAL, &polynomial(&[(1, &[0, 0, 0])]));
     assert!(matches!(cubic, Err(SeriesError::Undefined(_))), "a radical of a cubic form");
 }
