@@ -202,7 +202,7 @@ fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specificatio
             SpecificationError::CannotHold(..)
             | SpecificationError::WrongConstant(..)
             | SpecificationError::BrokenPromise(..) => kernel.output_span,
-            SpecificationError::NotABivector(..) => kernel.expression.span,
+            SpecificationError::NotABivector(..) | SpecificationError::NotAUnit(..) => kernel.expression.span,
             _ => kernel.span,
         };
         syn::Error::new(span, format!("kernel `{}`: {found}", kernel.name))

@@ -480,6 +480,32 @@ kernel g(r: Rotor, q: Rotor) -> Bivector = log(r);",
     );
 }
 
+#[test]
+fn log_takes_a_type_that_promises_a_unit() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Even { s: 1, e12 }
+entity Rotor { s: 1, e12 } where s*s == 1 - e12*e12;
+entity Bivector { e12 }
+kernel f(r: Rotor) -> Bivector = log(r);
+kernel g(m: Even) -> Bivector = log(m);",
+        &["6:37: kernel `g`: expected an input of `log` that is a unit, m ~m = 1, found m ~m = m.s^2 + m.e12^2"],
+    );
+    assert_errors(
+        "
+signature (3, 0, 1);
+entity Line { e23, e31, e12, e01, e02, e03 }
+entity Motor { s: 1, e23, e31, e12, e01, e02, e03, e0123 }
+    where s*s == 1 - e23*e23 - e31*e31 - e12*e12;
+kernel f(m: Motor) -> Line = log(m);"
+            .replace("e31", "e13")
+            .as_str(),
+        &["5:34: kernel `f`: expected an input of `log` that is a unit, m ~m = 1, found m ~m = 1 + (2 m.s m.e0123 \
+           - 2 m.e23 m.e01 + 2 m.e13 m.e02 - 2 m.e12 m.e03) e0123"],
+    );
+}
+
 // Syntax.
 
 #[test]
