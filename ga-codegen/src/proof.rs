@@ -3,10 +3,12 @@
 //! A polynomial kernel's program is evaluated on the symbols of the inputs; every output must equal the specified
 //! polynomial modulo the inputs' relations, that is, their difference must have normal form 0.
 //!
-//! The program of `exp` or `log` is evaluated on formal power series (see [`SeriesRing`]) and compared, up to total
-//! degree [`ORDER`] in the coefficients of the bivector, with the definition: exp(B) with sum of B^n / n!, and log with B
-//! where its argument is that sum. The functions are analytic, so equal series mean equal functions wherever the
-//! branch chosen by the root and by atan2 reaches. What the output type promises is proved of the same series.
+//! The program of `exp` or `log` is evaluated on formal power series (see [`SeriesRing`]) and compared with the
+//! definition: exp(B) with sum of B^n / n!, and log with B where its argument is that sum. What the output type promises
+//! is proved of the same series. This is a proof to total degree [`ORDER`] in the coefficients of the bivector and no
+//! further: a program that differs from the definition in terms of higher degree alone, such as one that adds `e23^13`
+//! to an output, is accepted. If all terms agree, the functions, which are analytic, are equal about the identity, as far
+//! as the branches of the root and of atan2 reach. An argument of log is promised to be a unit, see [`Specification`].
 //!
 //! This file knows nothing of how programs are found.
 
