@@ -13,7 +13,7 @@
 //! This file knows nothing of how programs are found.
 
 use crate::algebra::{Blade, Product};
-use crate::kernel::{Analytic, ComponentValue, Entity, Specification};
+use crate::kernel::{Analytic, Component, ComponentValue, Entity, Specification};
 use crate::program::{Domain, Program};
 use crate::symbolic::{
     Monomial, Multivector, Overflow, Polynomial, Rational, Series, SeriesError, SeriesRing, Symbol,
@@ -179,9 +179,9 @@ impl Exponential {
     fn fields(&self, specification: &Specification, entity: &Entity) -> Result<Vec<Series>, Refutation> {
         for named in specification.basis.blades() {
             let component = entity.components.iter().find(|component| component.blade == named.blade);
-            let expected = match component.map(|component| &component.value) {
-                Some(ComponentValue::Field(_)) => continue,
-                Some(ComponentValue::Constant(constant)) => oriented(Polynomial::constant(*constant), component),
+            let expected = match component.map(|component| (&component.value, component.sign)) {
+                Some((ComponentValue::Field(_), _)) => continue,
+                Some((ComponentValue::Constant(constant), sign)) => Polynomial::constant(*constant).signed(sign),
                 None => Polynomial::zero(),
             };
             let difference = self.sum.coefficient(named.blade).sub(&expected)?;
@@ -192,9 +192,8 @@ impl Exponential {
                 return Err(Refutation::Different(named.name.clone(), difference.neg().display(&self.names)));
             }
         }
-        let field = |(_, component)| {
-            let coefficient: &crate::kernel::Component = component;
-            Ok(self.ring.series(&oriented(self.sum.coefficient(coefficient.blade), Some(coefficient)))?)
+        let field = |(_, component): (&str, &Component)| {
+            Ok(self.ring.series(&self.sum.coefficient(component.blade).signed(component.sign))?)
         };
         entity.fields().map(field).collect()
     }
@@ -238,10 +237,6 @@ impl Exponential {
         }
         Ok(())
     }
-}
-
-fn oriented(polynomial: Polynomial, component: Option<&crate::kernel::Component>) -> Polynomial {
-    if component.is_some_and(|component| component.sign.is_minus()) { polynomial.neg() } else { polynomial }
 }
 
 fn prove_exp(specification: &Specification, program: &Program) -> Result<Proof, Refutation> {

@@ -166,7 +166,7 @@ impl Specification {
         let output = definition.entities[kernel.output].clone();
         let basis = definition.basis.clone();
         let fields = output.fields().map(|(field, _)| field.to_owned()).collect();
-        let coefficient = |(_, c): (&str, &Component)| oriented(&value.coefficient(c.blade), c.sign.is_minus());
+        let coefficient = |(_, c): (&str, &Component)| value.coefficient(c.blade).signed(c.sign);
         let outputs = match kernel.analytic {
             None => output.fields().map(coefficient).collect(),
             Some(_) => Vec::new(),
@@ -205,7 +205,7 @@ impl Specification {
         let names = self.names();
         let term = |(blade, coefficient): (Blade, &Polynomial)| {
             let named = self.basis.named(blade);
-            let value = oriented(coefficient, named.sign.is_minus()).display(&names);
+            let value = coefficient.clone().signed(named.sign).display(&names);
             if blade == Blade::SCALAR { value } else { format!("({value}) {}", named.name) }
         };
         let terms: Vec<_> = norm.terms().map(term).collect();
@@ -218,7 +218,7 @@ impl Specification {
             None => Ok(()),
             Some((blade, value)) => {
                 let named = self.basis.named(blade);
-                let value = oriented(value, named.sign.is_minus()).display(&self.names());
+                let value = value.clone().signed(named.sign).display(&self.names());
                 Err(SpecificationError::NotABivector(named.name.clone(), value))
             }
         }
@@ -249,7 +249,7 @@ impl Specification {
     fn check_output(&self) -> Result<(), SpecificationError> {
         let names = self.names();
         for named in self.basis.blades() {
-            let value = oriented(&self.value.coefficient(named.blade), named.sign.is_minus());
+            let value = self.value.coefficient(named.blade).signed(named.sign);
             let component = self.output.components.iter().find(|component| component.blade == named.blade);
             let constant = match component.map(|component| &component.value) {
                 Some(ComponentValue::Field(_)) => continue,
@@ -277,8 +277,4 @@ impl Specification {
         }
         Ok(())
     }
-}
-
-fn oriented(polynomial: &Polynomial, minus: bool) -> Polynomial {
-    if minus { polynomial.neg() } else { polynomial.clone() }
 }
