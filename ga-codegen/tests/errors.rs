@@ -283,6 +283,21 @@ entity UnitLine {{ e23, e13, e12, e01, e02, e03 }}
 }
 
 #[test]
+fn relations_that_contradict_each_other_are_an_error_at_the_second() {
+    assert_errors(
+        "
+signature (1, 0, 0);
+entity X { x: e1 }
+    where x*x == 1,
+          x*x == 2;",
+        &[
+            "4:11: expected relations that can hold together, found that this one and `x * x == 1` contradict each other: \
+           with both of them, -1 is 0",
+        ],
+    );
+}
+
+#[test]
 fn relations_whose_rewriting_does_not_end_are_an_error_at_the_relation() {
     let message = "expected a relation whose first monomial is the greatest in some lexicographic order that suits all \
                    relations, found none: write another monomial first";
