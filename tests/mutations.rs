@@ -146,7 +146,7 @@ fn mutants(program: &Program) -> Vec<Mutant> {
 fn with_redirected_uses(program: &Program, at: Value, instead: Value) -> Program {
     let redirect = |value: Value| if value == at { instead } else { value };
     Program {
-        operations: program.operations.iter().map(|operation| mapped(*operation, redirect)).collect(),
+        operations: program.operations.iter().map(|operation| operation.map_operands(redirect)).collect(),
         outputs: program.outputs.iter().map(|&output| redirect(output)).collect(),
     }
 }
@@ -157,28 +157,12 @@ fn with_negated_result(program: &Program, at: Value) -> Program {
     let moved = |value: Value| if value >= at { value + 1 } else { value };
     let mut operations = Vec::with_capacity(program.operations.len() + 1);
     for (value, operation) in program.operations.iter().enumerate() {
-        operations.push(mapped(*operation, moved));
+        operations.push(operation.map_operands(moved));
         if value == at {
             operations.push(Operation::Neg(at));
         }
     }
     Program { operations, outputs: program.outputs.iter().map(|&output| moved(output)).collect() }
-}
-
-fn mapped(operation: Operation, map: impl Fn(Value) -> Value) -> Operation {
-    match operation {
-        Operation::Input(_) | Operation::Constant(_) => operation,
-        Operation::Add(a, b) => Operation::Add(map(a), map(b)),
-        Operation::Sub(a, b) => Operation::Sub(map(a), map(b)),
-        Operation::Mul(a, b) => Operation::Mul(map(a), map(b)),
-        Operation::Neg(a) => Operation::Neg(map(a)),
-        Operation::Double(a) => Operation::Double(map(a)),
-        Operation::Sqrt(a) => Operation::Sqrt(map(a)),
-        Operation::Sin(a) => Operation::Sin(map(a)),
-        Operation::Cos(a) => Operation::Cos(map(a)),
-        Operation::Atan2(a, b) => Operation::Atan2(map(a), map(b)),
-        Operation::Quotient(a, b, limit) => Operation::Quotient(map(a), map(b), limit),
-    }
 }
 
 /// Inputs that satisfy the relations, in `f64`; those of exp with both signs, and down to where limits come in.

@@ -28,6 +28,7 @@
 //! The block's grammar is that of [`expand`].
 
 pub mod algebra;
+mod compile;
 pub mod emit;
 mod expand;
 pub mod factor;
@@ -40,4 +41,5 @@ pub mod reference;
 pub mod symbolic;
 mod syntax;
 
-pub use expand::{Compiled, Part, Task, compile, define, expand, tasks};
+pub use compile::{Compiled, Part, Task, compile, tasks};
+pub use expand::{define, expand};

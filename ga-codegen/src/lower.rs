@@ -237,6 +237,14 @@ fn check_relations(all: &[Statement], own: &[Statement], symbols: &BTreeMap<Stri
                  suits all relations, found none: write another monomial first";
             (index, message.to_owned())
         }
+        RelationsError::NotConfluent(first, second, remainder) if remainder.as_constant().is_some() => {
+            let (first, remainder) = (&all[first].text, remainder.display(&names));
+            let message = format!(
+                "expected relations that can hold together, found that this one and `{first}` contradict each other: \
+                 with both of them, {remainder} is 0"
+            );
+            (second, message)
+        }
         RelationsError::NotConfluent(first, second, remainder) => {
             let (first, remainder) = (&all[first].text, remainder.display(&names));
             let message = format!(

@@ -3,15 +3,17 @@
 //! A polynomial kernel's program is evaluated on the symbols of the inputs; every output must equal the specified
 //! polynomial modulo the inputs' relations, that is, their difference must have normal form 0.
 //!
-//! The program of `exp` or `log` is evaluated on formal power series (see [`SeriesRing`]) and compared, up to total
-//! degree [`ORDER`] in the coefficients of the bivector, with the definition: exp(B) with sum of B^n / n!, and log with B
-//! where its argument is that sum. The functions are analytic, so equal series mean equal functions wherever the
-//! branch chosen by the root and by atan2 reaches. What the output type promises is proved of the same series.
+//! The program of `exp` or `log` is evaluated on formal power series (see [`SeriesRing`]) and compared with the
+//! definition: exp(B) with sum of B^n / n!, and log with B where its argument is that sum. What the output type promises
+//! is proved of the same series. This is a proof to total degree [`ORDER`] in the coefficients of the bivector and no
+//! further: a program that differs from the definition in terms of higher degree alone, such as one that adds `e23^13`
+//! to an output, is accepted. If all terms agree, the functions, which are analytic, are equal about the identity, as far
+//! as the branches of the root and of atan2 reach. An argument of log is promised to be a unit, see [`Specification`].
 //!
 //! This file knows nothing of how programs are found.
 
 use crate::algebra::{Blade, Product};
-use crate::kernel::{Analytic, ComponentValue, Entity, Specification};
+use crate::kernel::{Analytic, Component, ComponentValue, Entity, Specification};
 use crate::program::{Domain, Program};
 use crate::symbolic::{
     Monomial, Multivector, Overflow, Polynomial, Rational, Series, SeriesError, SeriesRing, Symbol,
@@ -185,9 +187,9 @@ impl Exponential {
     fn fields(&self, specification: &Specification, entity: &Entity) -> Result<Vec<Series>, Refutation> {
         for named in specification.basis.blades() {
             let component = entity.components.iter().find(|component| component.blade == named.blade);
-            let expected = match component.map(|component| &component.value) {
-                Some(ComponentValue::Field(_)) => continue,
-                Some(ComponentValue::Constant(constant)) => oriented(Polynomial::constant(*constant), component),
+            let expected = match component.map(|component| (&component.value, component.sign)) {
+                Some((ComponentValue::Field(_), _)) => continue,
+                Some((ComponentValue::Constant(constant), sign)) => Polynomial::constant(*constant).signed(sign),
                 None => Polynomial::zero(),
             };
             let difference = self.sum.coefficient(named.blade).sub(&expected)?;
@@ -198,9 +200,8 @@ impl Exponential {
                 return Err(Refutation::Different(named.name.clone(), difference.neg().display(&self.names)));
             }
         }
-        let field = |(_, component)| {
-            let coefficient: &crate::kernel::Component = component;
-            Ok(self.ring.series(&oriented(self.sum.coefficient(coefficient.blade), Some(coefficient)))?)
+        let field = |(_, component): (&str, &Component)| {
+            Ok(self.ring.series(&self.sum.coefficient(component.blade).signed(component.sign))?)
         };
         entity.fields().map(field).collect()
     }
@@ -244,10 +245,6 @@ impl Exponential {
         }
         Ok(())
     }
-}
-
-fn oriented(polynomial: Polynomial, component: Option<&crate::kernel::Component>) -> Polynomial {
-    if component.is_some_and(|component| component.sign.is_minus()) { polynomial.neg() } else { polynomial }
 }
 
 fn prove_exp(specification: &Specification, program: &Program) -> Result<Proof, Refutation> {

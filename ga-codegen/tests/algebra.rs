@@ -185,3 +185,30 @@ fn a_list_of_words_that_is_no_basis_says_where() {
     let large = Basis::canonical(Signature::new(9, 0, 0)).expect_err("too many generators");
     assert_eq!(large.kind, BasisErrorKind::TooManyGenerators(Signature::new(9, 0, 0)));
 }
+
+#[test]
+fn a_pseudoscalar_has_all_generators_of_at_most_eight() {
+    assert_eq!(Blade::pseudoscalar(Signature::new(0, 0, 0)), Some(Blade::SCALAR));
+    assert_eq!(Blade::pseudoscalar(Signature::new(3, 0, 1)), Some(Blade(0b1111)));
+    assert_eq!(Blade::pseudoscalar(Signature::new(3, 3, 2)), Some(Blade(0xff)));
+    for large in [Signature::new(9, 0, 0), Signature::new(8, 8, 8), Signature::new(usize::MAX, 1, 0)] {
+        assert_eq!(Blade::pseudoscalar(large), None);
+    }
+    let basis = Basis::canonical(Signature::new(3, 3, 2)).expect("at most 8 generators");
+    assert_eq!(basis.pseudoscalar().blade, Blade(0xff));
+}
+
+#[test]
+fn null_degrees_are_counted_in_any_signature() {
+    assert_eq!(Blade(0b0111).null_degree(Signature::new(3, 0, 1)), 1);
+    assert_eq!(Blade(0b0111).null_degree(Signature::new(3, 0, 0)), 0);
+    assert_eq!(Blade(0xff).null_degree(Signature::new(0, 0, 8)), 8);
+    assert_eq!(Blade(0xff).null_degree(Signature::new(0, 0, 100)), 8);
+}
+
+#[test]
+#[should_panic(expected = "a blade of this basis's algebra")]
+fn a_blade_of_another_algebra_has_no_name() {
+    let basis = Basis::canonical(Signature::new(2, 0, 0)).expect("at most 8 generators");
+    basis.named(Blade(0b100));
+}

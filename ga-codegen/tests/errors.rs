@@ -283,6 +283,21 @@ entity UnitLine {{ e23, e13, e12, e01, e02, e03 }}
 }
 
 #[test]
+fn relations_that_contradict_each_other_are_an_error_at_the_second() {
+    assert_errors(
+        "
+signature (1, 0, 0);
+entity X { x: e1 }
+    where x*x == 1,
+          x*x == 2;",
+        &[
+            "4:11: expected relations that can hold together, found that this one and `x * x == 1` contradict each other: \
+           with both of them, -1 is 0",
+        ],
+    );
+}
+
+#[test]
 fn relations_whose_rewriting_does_not_end_are_an_error_at_the_relation() {
     let message = "expected a relation whose first monomial is the greatest in some lexicographic order that suits all \
                    relations, found none: write another monomial first";
@@ -477,6 +492,32 @@ entity Bivector { e12 }
 kernel f(r: Rotor) -> Bivector = log(~r);
 kernel g(r: Rotor, q: Rotor) -> Bivector = log(r);",
         &[&format!("4:38: {message}"), &format!("5:48: {message}")],
+    );
+}
+
+#[test]
+fn log_takes_a_type_that_promises_a_unit() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Even { s: 1, e12 }
+entity Rotor { s: 1, e12 } where s*s == 1 - e12*e12;
+entity Bivector { e12 }
+kernel f(r: Rotor) -> Bivector = log(r);
+kernel g(m: Even) -> Bivector = log(m);",
+        &["6:37: kernel `g`: expected an input of `log` that is a unit, m ~m = 1, found m ~m = m.s^2 + m.e12^2"],
+    );
+    assert_errors(
+        "
+signature (3, 0, 1);
+entity Line { e23, e31, e12, e01, e02, e03 }
+entity Motor { s: 1, e23, e31, e12, e01, e02, e03, e0123 }
+    where s*s == 1 - e23*e23 - e31*e31 - e12*e12;
+kernel f(m: Motor) -> Line = log(m);"
+            .replace("e31", "e13")
+            .as_str(),
+        &["5:34: kernel `f`: expected an input of `log` that is a unit, m ~m = 1, found m ~m = 1 + (2 m.s m.e0123 \
+           - 2 m.e23 m.e01 + 2 m.e13 m.e02 - 2 m.e12 m.e03) e0123"],
     );
 }
 

@@ -35,6 +35,33 @@ fn rationals_are_in_lowest_terms_with_a_positive_denominator() {
 }
 
 #[test]
+fn rationals_are_ordered_by_value() {
+    let largest = i128::MAX;
+    let ascending = [
+        Rational::integer(-2),
+        rational(-3, 2),
+        rational(-1, 2),
+        rational(-1, 3),
+        Rational::ZERO,
+        rational(1, largest),
+        rational(1, largest - 1),
+        rational(1, 3),
+        rational(1, 2),
+        rational(largest - 2, largest - 1),
+        rational(largest - 1, largest),
+        Rational::ONE,
+        rational(largest, largest - 1),
+        Rational::integer(2),
+        rational(largest, 1),
+    ];
+    for (i, a) in ascending.iter().enumerate() {
+        for (j, b) in ascending.iter().enumerate() {
+            assert_eq!(a.cmp(b), i.cmp(&j), "{a} {b}");
+        }
+    }
+}
+
+#[test]
 fn what_does_not_fit_128_bits_is_an_overflow() {
     let (most, least) = (rational(i128::MAX, 1), rational(1, i128::MAX));
     assert_eq!(Rational::new(1, 0), Err(Overflow));
@@ -106,6 +133,10 @@ proptest! {
         {
             prop_assert_eq!(a.checked_mul(b), Rational::new(above, below));
         }
+        if let (Some(left), Some(right)) = (wide(a.numerator(), b.denominator()), wide(b.numerator(), a.denominator())) {
+            prop_assert_eq!(a.cmp(&b), left.cmp(&right));
+        }
+        prop_assert_eq!(a.cmp(&b), b.cmp(&a).reverse());
         prop_assert_eq!(a.checked_add(b), b.checked_add(a));
         prop_assert_eq!(a.checked_mul(b), b.checked_mul(a));
         if let Ok(sum) = a.checked_add(b) {
@@ -323,6 +354,17 @@ fn what_has_no_series_is_an_error() {
     assert!(undefined(ring.quotient(&one, &radical, Rational::ONE)), "a pole");
     assert!(undefined(ring.quotient(&radical, &x, Rational::ONE)), "a division by an unknown");
     assert!(undefined(ring.atan2(&one, &x)), "an angle about a right angle");
+    let times_x = ring.mul(&x, &radical).expect("small numbers");
+    assert!(undefined(ring.quotient(&times_x, &radical, Rational::ZERO)), "a limit that depends on an unknown");
+    let forms = [
+        polynomial(&[(1, &[0, 0]), (-1, &[1, 1])]),
+        polynomial(&[(-1, &[0, 0])]),
+        polynomial(&[(1, &[0, 0]), (1, &[0, 1])]),
+    ];
+    for form in forms {
+        let indefinite = SeriesRing::new(ORDER, RADICAL, &form);
+        assert!(matches!(indefinite, Err(SeriesError::Undefined(_))), "a radical that may not be real: {form:?}");
+    }
     let cubic = SeriesRing::new(ORDER, RADICAL, &polynomial(&[(1, &[0, 0, 0])]));
     assert!(matches!(cubic, Err(SeriesError::Undefined(_))), "a radical of a cubic form");
 }

@@ -178,13 +178,18 @@ impl Basis {
     }
 
     /// The name and orientation of a blade of this algebra.
+    ///
+    /// # Panics
+    /// For a blade with a generator that the algebra does not have, which is a mistake of the caller.
     pub fn named(&self, blade: Blade) -> &NamedBlade {
-        &self.blades[self.by_blade[usize::from(blade.0)]]
+        let index = self.by_blade.get(usize::from(blade.0)).expect("a blade of this basis's algebra");
+        &self.blades[*index]
     }
 
     /// The pseudoscalar with the orientation of this basis; duals are taken against it.
     pub fn pseudoscalar(&self) -> &NamedBlade {
-        self.named(Blade::pseudoscalar(self.signature))
+        // Every blade of the algebra is there, and the pseudoscalar has the most bits.
+        &self.blades[self.by_blade[self.by_blade.len() - 1]]
     }
 
     /// The right complement J with X ^ J(X) = the basis's pseudoscalar, of an ascending blade X. It needs no metric.

@@ -46,9 +46,12 @@ impl Blade {
     /// The empty product, 1.
     pub const SCALAR: Self = Self(0);
 
-    /// The product of all generators of `signature`, which must have at most eight.
-    pub const fn pseudoscalar(signature: Signature) -> Self {
-        Self(((1u16 << signature.dimension()) - 1) as u8)
+    /// The product of all generators of `signature`; `None` where there are more than [`Signature::MAX_DIMENSION`].
+    pub const fn pseudoscalar(signature: Signature) -> Option<Self> {
+        if signature.dimension() > Signature::MAX_DIMENSION {
+            return None;
+        }
+        Some(Self(((1u16 << signature.dimension()) - 1) as u8))
     }
 
     /// How many generators it has.
@@ -58,8 +61,9 @@ impl Blade {
 
     /// How many of its generators square to 0: its degree under a change of the unit of length, which scales those.
     pub const fn null_degree(self, signature: Signature) -> u32 {
-        // Null generators are numbered first.
-        (self.0 as u32 & ((1 << signature.null()) - 1)).count_ones()
+        // Null generators are numbered first. A blade has at most 8 generators, whatever the signature.
+        let null = if signature.null() < 8 { signature.null() } else { 8 };
+        (self.0 as u32 & ((1 << null) - 1)).count_ones()
     }
 
     /// The positions of its generators, ascending.

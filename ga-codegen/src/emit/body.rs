@@ -29,6 +29,7 @@ struct Writer<'a> {
     reserved: &'a [&'a str],
     meanings: &'a BTreeMap<Value, String>,
     uses: Vec<usize>,
+    doubled: Vec<bool>,
     names: BTreeMap<Value, Ident>,
     temporaries: usize,
     statements: TokenStream,
@@ -46,9 +47,16 @@ pub(super) fn body(
     let mut uses = vec![0; program.operations.len()];
     let operands = program.operations.iter().flat_map(|operation| operation.operands());
     operands.chain(program.outputs.iter().copied()).for_each(|value| uses[value] += 1);
+    let mut doubled = vec![false; program.operations.len()];
+    for operation in &program.operations {
+        if let Operation::Double(value) = *operation {
+            doubled[value] = true;
+        }
+    }
     let constants = constants(program, span)?;
     let (names, statements) = (BTreeMap::new(), TokenStream::new());
-    let mut writer = Writer { program, inputs, constants, reserved, meanings, uses, names, temporaries: 0, statements };
+    let mut writer =
+        Writer { program, inputs, constants, reserved, meanings, uses, doubled, names, temporaries: 0, statements };
     for value in 0..program.operations.len() {
         writer.name_if_needed(value);
     }
@@ -93,7 +101,7 @@ impl Writer<'_> {
             Operation::Sqrt(_) => self.fresh("norm"),
             Operation::Atan2(..) => self.fresh("angle"),
             Operation::Quotient(..) => self.fresh("ratio"),
-            _ if self.uses[value] > 1 || self.is_doubled(value) => match self.meanings.get(&value) {
+            _ if self.uses[value] > 1 || self.doubled[value] => match self.meanings.get(&value) {
                 Some(meaning) => self.fresh(meaning),
                 None => {
                     self.temporaries += 1;
@@ -105,10 +113,6 @@ impl Writer<'_> {
         let expression = self.expression(value);
         self.statements.extend(quote!(let #name = #expression;));
         self.names.insert(value, name);
-    }
-
-    fn is_doubled(&self, value: Value) -> bool {
-        self.program.operations.contains(&Operation::Double(value))
     }
 
     /// The name, with a number behind it if it is taken.

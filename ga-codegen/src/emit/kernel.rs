@@ -2,7 +2,7 @@
 
 use super::body::{access, body};
 use super::{doc, entity_type, ident, meaning};
-use crate::expand::{Compiled, Part};
+use crate::compile::{Compiled, Part};
 use crate::kernel::{Definition, Hoist, Kernel};
 use crate::program::{Count, Operation, Program};
 use proc_macro2::{Ident, TokenStream};

@@ -6,7 +6,7 @@
 //! - `inner_e1`: one of the product that a larger product is made of, such as m x in m x ~m or a x in a x a.
 
 use crate::algebra::{Blade, Product};
-use crate::expand::{Compiled, Part};
+use crate::compile::{Compiled, Part};
 use crate::kernel::{Expression, ExpressionKind, Operator, Specification};
 use crate::program::{Operation, Program, Value};
 use crate::proof::evaluate_polynomials;

@@ -8,7 +8,7 @@ mod meaning;
 mod operators;
 mod scalar;
 
-use crate::expand::Compiled;
+use crate::compile::Compiled;
 use crate::kernel::{Definition, Entity};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;

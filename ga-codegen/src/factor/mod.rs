@@ -9,7 +9,6 @@ mod starting;
 mod study;
 mod system;
 
-use crate::algebra::Sign;
 use crate::kernel::{Analytic, Specification};
 use crate::program::{CostModel, Count, Program, Recipe};
 use crate::symbolic::{Overflow, Polynomial};
@@ -88,10 +87,6 @@ pub fn write_recipe(specification: &Specification, program: &Program, kernel: &s
 /// [`FactorError`]
 pub fn factor_polynomials(polynomials: &[Polynomial], input_count: usize) -> Result<Program, FactorError> {
     Ok(extract::greedy(System::new(polynomials, input_count)?).program())
-}
-
-fn oriented(polynomial: Polynomial, sign: Sign) -> Polynomial {
-    if sign.is_minus() { polynomial.neg() } else { polynomial }
 }
 
 /// The multiplications and additions of the definition expanded, nothing shared; `None` for an analytic kernel.

@@ -10,7 +10,6 @@
 //! - by commutators, for a versor m that the relations make a unit: m x ~m = x + 2 (m × x) ~m with m × x = (mx - xm)/2, and
 //!   a x a = 2 (a ∘ x) a - a² x with a ∘ x = (ax + xa)/2.
 
-use super::oriented;
 use super::system::System;
 use crate::algebra::{Blade, Product};
 use crate::kernel::{Component, Expression, ExpressionKind, Operator, Specification};
@@ -86,11 +85,11 @@ fn with_multiples(
     let (Some(input), Some(unit)) = (transformed_input(specification), unit) else { return Ok(None) };
     let (mut outputs, mut places) = (Vec::new(), [0, 0]);
     for (_, component) in specification.output.fields() {
-        let output = oriented(specification.value.coefficient(component.blade), component.sign);
+        let output = specification.value.coefficient(component.blade).signed(component.sign);
         let ideal = is_ideal(specification, component.blade);
         let (a, b) = choose(places[usize::from(ideal)], ideal);
         places[usize::from(ideal)] += 1;
-        let own = oriented(input.coefficient(component.blade), component.sign);
+        let own = input.coefficient(component.blade).signed(component.sign);
         let mut sum = output.add(&own.mul(&unit)?.scale(a)?)?;
         if let Some(relation) = &homogeneous {
             let dual = dual_component(specification, &input, component);
@@ -120,7 +119,7 @@ fn is_ideal(specification: &Specification, blade: Blade) -> bool {
 fn dual_component(specification: &Specification, input: &Multivector, component: &Component) -> Polynomial {
     let pseudoscalar = Multivector::term(specification.basis.pseudoscalar().blade, Polynomial::one());
     let carried = input.product(Product::Geometric, &pseudoscalar, &specification.basis).unwrap_or_default();
-    oriented(carried.coefficient(component.blade), component.sign)
+    carried.coefficient(component.blade).signed(component.sign)
 }
 
 /// The last input with the components of the output.
@@ -167,7 +166,7 @@ impl<'a> Stage<'a> {
 
     fn finish(self, value: &Multivector) -> Result<System, Overflow> {
         let fields = self.specification.output.fields();
-        let mut outputs: Vec<_> = fields.map(|(_, c)| oriented(value.coefficient(c.blade), c.sign)).collect();
+        let mut outputs: Vec<_> = fields.map(|(_, c)| value.coefficient(c.blade).signed(c.sign)).collect();
         for (output, expanded) in outputs.iter_mut().zip(&self.specification.outputs) {
             let reduced = self.specification.relations.normal_form(expanded)?;
             if reduced.term_count() < 2 {

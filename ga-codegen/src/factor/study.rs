@@ -11,9 +11,9 @@
 //! ```
 //! (Dorst and De Keninck, "A Guided Tour to the Plane-Based Geometric Algebra PGA", 2022, give the same for 3D.)
 
+use super::FactorError;
 use super::extract::greedy;
 use super::system::System;
-use super::{FactorError, oriented};
 use crate::algebra::{Blade, Product};
 use crate::kernel::Specification;
 use crate::program::{Operation, Program, ProgramBuilder, Value};
@@ -74,7 +74,7 @@ fn build(
     given: &[Value],
 ) -> Result<Program, FactorError> {
     let fields = specification.output.fields();
-    let polynomials: Vec<_> = fields.map(|(_, c)| oriented(value.coefficient(c.blade), c.sign)).collect();
+    let polynomials: Vec<_> = fields.map(|(_, c)| value.coefficient(c.blade).signed(c.sign)).collect();
     let outputs = greedy(System::new(&polynomials, given.len())?).build(&mut builder, given);
     Ok(builder.finish(&outputs))
 }

@@ -99,7 +99,7 @@ impl Entity {
                 ComponentValue::Field(_) => fields.next().cloned().unwrap_or_default(),
                 ComponentValue::Constant(value) => Polynomial::constant(*value),
             };
-            (component.blade, if component.sign.is_minus() { value.neg() } else { value })
+            (component.blade, value.signed(component.sign))
         };
         Multivector::from_terms(self.components.iter().map(term).collect::<Vec<_>>())
     }

@@ -1,7 +1,7 @@
 //! The exact meaning of a kernel: polynomials over the coefficients of its inputs, and what holds between those.
 
 use super::{Component, ComponentValue, Definition, Entity, Expression, Kernel, Projection};
-use crate::algebra::{Basis, Signature};
+use crate::algebra::{Basis, Blade, Product, Signature};
 use crate::symbolic::{Monomial, Multivector, Overflow, Polynomial, Relation, Relations, RelationsError, Symbol};
 use std::fmt;
 
@@ -71,6 +71,8 @@ pub enum SpecificationError {
     WrongConstant(String, String, String),
     /// The argument of `exp` has a coefficient of another grade than 2: blade and polynomial.
     NotABivector(String, String),
+    /// The input of `log` is not promised to be a unit: its name m, and m ~m.
+    NotAUnit(String, String),
     /// The output type has a relation that the expression does not satisfy: its text and the normal form of the excess.
     BrokenPromise(String, String),
 }
@@ -98,6 +100,9 @@ impl fmt::Display for SpecificationError {
                     f,
                     "expected a bivector as the argument of `exp`, found one with {value} as the coefficient of `{blade}`"
                 )
+            }
+            Self::NotAUnit(m, norm) => {
+                write!(f, "expected an input of `log` that is a unit, {m} ~{m} = 1, found {m} ~{m} = {norm}")
             }
             Self::BrokenPromise(relation, value) => {
                 write!(f, "expected an output with `{relation}`, found a difference of {value}")
@@ -147,7 +152,8 @@ impl Specification {
     ///
     /// # Errors
     /// An output type that cannot hold the value or whose promises the value does not keep, for polynomial kernels; for
-    /// analytic ones the proof decides that. Relations without normal form; overflow.
+    /// analytic ones the proof decides that. An argument of `exp` that is no bivector, one of `log` that is not promised
+    /// to be a unit, so that it may be no exponential. Relations without normal form; overflow.
     pub fn new(definition: &Definition, kernel: &Kernel) -> Result<Self, SpecificationError> {
         let typed = kernel.parameters.iter().map(|p| (p.name.as_str(), &definition.entities[p.entity]));
         let Instance { coefficients, multivectors: inputs, mut relations } =
@@ -160,7 +166,7 @@ impl Specification {
         let output = definition.entities[kernel.output].clone();
         let basis = definition.basis.clone();
         let fields = output.fields().map(|(field, _)| field.to_owned()).collect();
-        let coefficient = |(_, c): (&str, &Component)| oriented(&value.coefficient(c.blade), c.sign.is_minus());
+        let coefficient = |(_, c): (&str, &Component)| value.coefficient(c.blade).signed(c.sign);
         let outputs = match kernel.analytic {
             None => output.fields().map(coefficient).collect(),
             Some(_) => Vec::new(),
@@ -182,9 +188,29 @@ impl Specification {
         match specification.analytic {
             None => specification.check_output()?,
             Some(Analytic::Exp) => specification.check_bivector()?,
-            Some(Analytic::Log) => {}
+            Some(Analytic::Log) => {
+                specification.check_unit(kernel.parameters.first().map_or("", |parameter| parameter.name.as_str()))?;
+            }
         }
         Ok(specification)
+    }
+
+    /// Checks that m ~m = 1 for the value m.
+    fn check_unit(&self, name: &str) -> Result<(), SpecificationError> {
+        let norm = self.value.product(Product::Geometric, &self.value.reverse(), &self.basis)?;
+        let norm = norm.map(|coefficient| self.relations.normal_form(coefficient))?;
+        if norm == Multivector::scalar(Polynomial::one()) {
+            return Ok(());
+        }
+        let names = self.names();
+        let term = |(blade, coefficient): (Blade, &Polynomial)| {
+            let named = self.basis.named(blade);
+            let value = coefficient.clone().signed(named.sign).display(&names);
+            if blade == Blade::SCALAR { value } else { format!("({value}) {}", named.name) }
+        };
+        let terms: Vec<_> = norm.terms().map(term).collect();
+        let found = if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") };
+        Err(SpecificationError::NotAUnit(name.to_owned(), found))
     }
 
     fn check_bivector(&self) -> Result<(), SpecificationError> {
@@ -192,7 +218,7 @@ impl Specification {
             None => Ok(()),
             Some((blade, value)) => {
                 let named = self.basis.named(blade);
-                let value = oriented(value, named.sign.is_minus()).display(&self.names());
+                let value = value.clone().signed(named.sign).display(&self.names());
                 Err(SpecificationError::NotABivector(named.name.clone(), value))
             }
         }
@@ -223,7 +249,7 @@ impl Specification {
     fn check_output(&self) -> Result<(), SpecificationError> {
         let names = self.names();
         for named in self.basis.blades() {
-            let value = oriented(&self.value.coefficient(named.blade), named.sign.is_minus());
+            let value = self.value.coefficient(named.blade).signed(named.sign);
             let component = self.output.components.iter().find(|component| component.blade == named.blade);
             let constant = match component.map(|component| &component.value) {
                 Some(ComponentValue::Field(_)) => continue,
@@ -251,8 +277,4 @@ impl Specification {
         }
         Ok(())
     }
-}
-
-fn oriented(polynomial: &Polynomial, minus: bool) -> Polynomial {
-    if minus { polynomial.neg() } else { polynomial.clone() }
 }

@@ -71,25 +71,8 @@ impl ProgramBuilder {
         let mut operations = Vec::new();
         for (value, operation) in self.operations.iter().enumerate().filter(|&(value, _)| live[value]) {
             renumbered[value] = operations.len();
-            operations.push(map_operands(*operation, |operand| renumbered[operand]));
+            operations.push(operation.map_operands(|operand| renumbered[operand]));
         }
         Program { operations, outputs: outputs.iter().map(|&value| renumbered[value]).collect() }
-    }
-}
-
-/// The same operation on other operands.
-fn map_operands(operation: Operation, map: impl Fn(Value) -> Value) -> Operation {
-    match operation {
-        Operation::Input(_) | Operation::Constant(_) => operation,
-        Operation::Add(a, b) => Operation::Add(map(a), map(b)),
-        Operation::Sub(a, b) => Operation::Sub(map(a), map(b)),
-        Operation::Mul(a, b) => Operation::Mul(map(a), map(b)),
-        Operation::Neg(a) => Operation::Neg(map(a)),
-        Operation::Double(a) => Operation::Double(map(a)),
-        Operation::Sqrt(a) => Operation::Sqrt(map(a)),
-        Operation::Sin(a) => Operation::Sin(map(a)),
-        Operation::Cos(a) => Operation::Cos(map(a)),
-        Operation::Atan2(a, b) => Operation::Atan2(map(a), map(b)),
-        Operation::Quotient(a, b, limit) => Operation::Quotient(map(a), map(b), limit),
     }
 }

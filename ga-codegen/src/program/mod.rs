@@ -60,6 +60,24 @@ impl Operation {
         };
         a.into_iter().chain(b)
     }
+
+    /// The same operation on other operands.
+    #[must_use]
+    pub fn map_operands(self, map: impl Fn(Value) -> Value) -> Self {
+        match self {
+            Self::Input(_) | Self::Constant(_) => self,
+            Self::Add(a, b) => Self::Add(map(a), map(b)),
+            Self::Sub(a, b) => Self::Sub(map(a), map(b)),
+            Self::Mul(a, b) => Self::Mul(map(a), map(b)),
+            Self::Neg(a) => Self::Neg(map(a)),
+            Self::Double(a) => Self::Double(map(a)),
+            Self::Sqrt(a) => Self::Sqrt(map(a)),
+            Self::Sin(a) => Self::Sin(map(a)),
+            Self::Cos(a) => Self::Cos(map(a)),
+            Self::Atan2(a, b) => Self::Atan2(map(a), map(b)),
+            Self::Quotient(a, b, limit) => Self::Quotient(map(a), map(b), limit),
+        }
+    }
 }
 
 /// A straight-line program. Its operations are the least that its outputs need: none is dead.

@@ -115,7 +115,7 @@ impl Multivector {
 
     /// Every coefficient times the sign that its blade gets.
     fn signed(&self, sign: impl Fn(Blade) -> Sign) -> Self {
-        let term = |(blade, c): (Blade, &Polynomial)| (blade, if sign(blade).is_minus() { c.neg() } else { c.clone() });
+        let term = |(blade, c): (Blade, &Polynomial)| (blade, c.clone().signed(sign(blade)));
         Self(self.terms().map(term).collect())
     }
 
@@ -147,7 +147,7 @@ impl Multivector {
     fn permuted(&self, to: impl Fn(Blade) -> (Sign, Blade)) -> Self {
         let term = |(blade, c): (Blade, &Polynomial)| {
             let (sign, image) = to(blade);
-            (image, if sign.is_minus() { c.neg() } else { c.clone() })
+            (image, c.clone().signed(sign))
         };
         Self(self.terms().map(term).collect())
     }

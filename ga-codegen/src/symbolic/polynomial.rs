@@ -1,6 +1,7 @@
 //! Polynomials with rational coefficients, expanded: a sum of distinct monomials.
 
 use super::rational::{Overflow, Rational};
+use crate::algebra::Sign;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
@@ -219,6 +220,11 @@ impl Polynomial {
     /// The negative.
     pub fn neg(&self) -> Self {
         Self(self.0.iter().map(|(monomial, coefficient)| (monomial.clone(), coefficient.neg())).collect())
+    }
+
+    /// The polynomial or its negative.
+    pub fn signed(self, sign: Sign) -> Self {
+        if sign.is_minus() { self.neg() } else { self }
     }
 
     /// The product with a number.

@@ -1,5 +1,6 @@
 //! Rational numbers in checked 128-bit arithmetic.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 /// An exact result does not fit 128-bit numerators and denominators.
@@ -15,7 +16,7 @@ impl fmt::Display for Overflow {
 impl std::error::Error for Overflow {}
 
 /// A rational number in lowest terms, the denominator positive.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Rational {
     numerator: i128,
     denominator: i128,
@@ -131,6 +132,29 @@ impl Rational {
     /// The nearest f64, for tests and reports; exact where numerator and denominator are below 2^53.
     pub fn to_f64(self) -> f64 {
         self.numerator as f64 / self.denominator as f64
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Rational {
+    /// By value: as the continued fractions, whose terms are never too large.
+    fn cmp(&self, other: &Self) -> Ordering {
+        let ((mut a, mut b), (mut c, mut d)) =
+            ((self.numerator, self.denominator), (other.numerator, other.denominator));
+        loop {
+            let whole = a.div_euclid(b).cmp(&c.div_euclid(d));
+            let (left, right) = (a.rem_euclid(b), c.rem_euclid(d));
+            if whole.is_ne() || left == 0 || right == 0 {
+                return whole.then(left.cmp(&right));
+            }
+            // left / b is less than right / d where d / right is less than b / left.
+            (a, b, c, d) = (d, right, b, left);
+        }
     }
 }
 

@@ -4,6 +4,9 @@
 //! in the unknowns: what a proof of `exp` or `log` needs, where l is the norm of a bivector. As A is homogeneous, so is
 //! the rule that rewrites A to l^2, and truncation by degree commutes with it. Where a series must be inverted or have
 //! its root taken, it has to be one in the radical alone.
+//!
+//! A must be a sum of squares with positive coefficients. So l is real everywhere, and it is 0 where all the unknowns in
+//! A are 0, which need not be the origin: the other unknowns may have any values there.
 
 use super::polynomial::{Monomial, Polynomial, Symbol};
 use super::rational::{Overflow, Rational};
@@ -45,9 +48,9 @@ pub enum SeriesError {
     Overflow,
     /// The operation is not defined for this series; the text says what was expected and found.
     Undefined(String),
-    /// A quotient's value at 0 differs from the limit that the program states.
+    /// A quotient's value where the radical is 0 differs from the limit that the program states.
     WrongLimit {
-        /// The value of the series at 0.
+        /// The value of the series where the radical is 0.
         expected: Rational,
         /// The limit in the program.
         found: Rational,
@@ -81,22 +84,23 @@ pub struct SeriesRing {
 }
 
 impl SeriesRing {
-    /// Series up to total degree `order` in which the symbol `radical` squares to the quadratic form `square`.
+    /// Series up to total degree `order` in which the symbol `radical` squares to `square`.
     ///
     /// # Errors
-    /// A `square` that is not a quadratic form with a square in it.
+    /// A `square` that is not a sum of squares of unknowns with positive coefficients; 0 is one.
     pub fn new(order: usize, radical: Symbol, square: &Polynomial) -> Result<Self, SeriesError> {
-        let is_square = |monomial: &&Monomial| monomial.symbols().first() == monomial.symbols().last();
-        let leading = square.terms().map(|(monomial, _)| monomial).find(is_square).cloned();
-        let quadratic = square.terms().all(|(monomial, _)| monomial.degree() == 2);
-        let mut polynomial = square.clone();
-        polynomial.add_term(Monomial::new(vec![radical, radical]), Rational::MINUS_ONE)?;
-        let relation = leading.filter(|_| quadratic).and_then(|leading| Relation::new(polynomial, leading));
-        if relation.is_none() && !square.is_zero() {
+        let is_square = |(monomial, coefficient): (&Monomial, Rational)| {
+            matches!(*monomial.symbols(), [x, y] if x == y && x != radical) && !coefficient.is_negative()
+        };
+        if !square.terms().all(is_square) {
             return Err(SeriesError::Undefined(
-                "expected a quadratic form with a square in it as a radical".to_owned(),
+                "expected a sum of squares as the square of a radical, found another polynomial".to_owned(),
             ));
         }
+        let leading = square.terms().map(|(monomial, _)| monomial.clone()).next();
+        let mut polynomial = square.clone();
+        polynomial.add_term(Monomial::new(vec![radical, radical]), Rational::MINUS_ONE)?;
+        let relation = leading.and_then(|leading| Relation::new(polynomial, leading));
         let relations: Vec<_> = relation.into_iter().collect();
         let relations = Relations::new(&relations)
             .map_err(|_| SeriesError::Undefined("expected a radical whose rule terminates".to_owned()))?;
@@ -269,7 +273,8 @@ impl SeriesRing {
         Ok(Series { polynomial: root.polynomial.mul(&factor)?, order: (root.order + k / 2).min(self.order) })
     }
 
-    /// The quotient of two series, the denominator in the radical alone; its value at 0 must be `limit`.
+    /// The quotient of two series, the denominator in the radical alone; wherever the radical is 0, its value must be
+    /// `limit`: every other term must contain the radical.
     ///
     /// # Errors
     /// [`SeriesError`]
@@ -279,8 +284,17 @@ impl SeriesRing {
         let quotient = self.mul(&shifted, &self.unit_power(&unit, Rational::MINUS_ONE)?)?;
         let inverse = Rational::ONE.checked_div(coefficient)?.ok_or(Overflow)?;
         let quotient = Series { polynomial: quotient.polynomial.scale(inverse)?, order: quotient.order };
-        let expected = quotient.constant_term();
-        if expected == limit { Ok(quotient) } else { Err(SeriesError::WrongLimit { expected, found: limit }) }
+        let mut without_radical = Polynomial::zero();
+        for (monomial, coefficient) in quotient.polynomial.terms().filter(|(m, _)| m.power(self.radical) == 0) {
+            without_radical.add_term(monomial.clone(), coefficient)?;
+        }
+        match without_radical.as_constant() {
+            Some(expected) if expected == limit => Ok(quotient),
+            Some(expected) => Err(SeriesError::WrongLimit { expected, found: limit }),
+            None => Err(SeriesError::Undefined(
+                "expected a quotient with one limit wherever the radical is 0, found one whose limit varies".to_owned(),
+            )),
+        }
     }
 }
 

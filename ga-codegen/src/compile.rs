@@ -1,0 +1,177 @@
+//! From kernels to proved programs: specify, factor or replay a recipe, prove.
+
+use crate::factor::{self, factor};
+use crate::kernel::{self, Definition, Hoist, Kernel, Specification, SpecificationError, split};
+use crate::lower::Errors;
+use crate::program::{Bound, CostModel, Count, Program, Recipe};
+use crate::proof::{Proof, Refutation, prove};
+
+/// Which part of a kernel a program is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// All of it.
+    Whole,
+    /// What its uniform inputs determine, as a record.
+    Prepare,
+    /// The rest: from the record and the varying inputs to the output.
+    Apply,
+}
+
+/// A kernel with its meaning, its program and the proof that they are the same.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// The kernel, as an index into [`Definition::kernels`].
+    pub kernel: usize,
+    /// The part of the kernel.
+    pub part: Part,
+    /// What the program is to be cheap in.
+    pub model: CostModel,
+    /// The name of the emitted function.
+    pub name: String,
+    /// What it means.
+    pub specification: Specification,
+    /// What is emitted.
+    pub program: Program,
+    /// What has been proved.
+    pub proof: Proof,
+    /// How far its results can be from exact ones; `None` for an analytic kernel.
+    pub bound: Option<Bound>,
+    /// Multiplications and additions of the definition expanded, nothing shared; `None` for an analytic kernel.
+    pub expanded: Option<Count>,
+}
+
+impl Compiled {
+    /// The names of the program's parameters, the record between the parts behind those of the kernel.
+    pub fn parameter_names<'a>(&self, definition: &'a Definition) -> Vec<&'a str> {
+        let own = definition.kernels[self.kernel].parameters.iter().map(|parameter| parameter.name.as_str());
+        own.chain([Hoist::RECORD]).collect()
+    }
+
+    /// The bound for inputs that keep what their types promise.
+    pub fn promised_bound(&self, definition: &Definition) -> Option<Bound> {
+        let parameters = definition.kernels[self.kernel].parameters.iter();
+        let inputs: Vec<_> = parameters.map(|parameter| &definition.entities[parameter.entity]).collect();
+        Some(self.bound.as_ref()?.promised(&inputs, definition.basis.signature()))
+    }
+}
+
+/// Specifies, factors and proves every kernel of a definition, in its order, once for each of its cost models.
+///
+/// # Errors
+/// The kernels without meaning, closed form or proof, combined.
+pub fn compile(definition: &Definition) -> syn::Result<Vec<Compiled>> {
+    let mut errors = Errors::default();
+    let mut compiled = Vec::new();
+    for index in 0..definition.kernels.len() {
+        match compile_kernel(definition, index) {
+            Ok(variants) => compiled.extend(variants),
+            Err(error) => errors.absorb(error),
+        }
+    }
+    errors.into_result(compiled)
+}
+
+/// A program that is to be found: a kernel or a part of one, what it means and what it is to be cheap in.
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// The part of the kernel.
+    pub part: Part,
+    /// What the program is to be cheap in.
+    pub model: CostModel,
+    /// The name of the emitted function.
+    pub name: String,
+    /// The name under which a recipe for it is kept.
+    pub recipe: String,
+    /// What it means.
+    pub specification: Specification,
+}
+
+/// The programs that a kernel asks for: one for each of its cost models, and its parts.
+///
+/// # Errors
+/// A kernel without meaning, or one that cannot be split as it asks.
+pub fn tasks(definition: &Definition, kernel: &Kernel) -> syn::Result<Vec<Task>> {
+    let specification = specify(definition, kernel)?;
+    let mut tasks = Vec::new();
+    for (place, &model) in kernel.models.iter().enumerate() {
+        let name = if place == 0 { kernel.name.clone() } else { format!("{}_{model}", kernel.name) };
+        let (recipe, specification) = (kernel.name.clone(), specification.clone());
+        tasks.push(Task { part: Part::Whole, model, name, recipe, specification });
+    }
+    if let Some(hoist) = &kernel.hoist {
+        let (prepare, apply) = split(kernel, &specification)
+            .map_err(|found| syn::Error::new(hoist.span, format!("kernel `{}`: {found}", kernel.name)))?;
+        let model = kernel.models[0];
+        for (part, name, specification) in
+            [(Part::Prepare, &hoist.prepare, prepare), (Part::Apply, &hoist.apply, apply)]
+        {
+            tasks.push(Task { part, model, name: name.clone(), recipe: name.clone(), specification });
+        }
+    }
+    Ok(tasks)
+}
+
+fn compile_kernel(definition: &Definition, index: usize) -> syn::Result<Vec<Compiled>> {
+    let kernel = &definition.kernels[index];
+    tasks(definition, kernel)?.into_iter().map(|task| compile_task(definition, index, task)).collect()
+}
+
+fn compile_task(definition: &Definition, index: usize, task: Task) -> syn::Result<Compiled> {
+    let kernel = &definition.kernels[index];
+    let Task { part, model, name, recipe, specification } = task;
+    let expanded = factor::expanded_count(&specification).map_err(|found| at(kernel, found.to_string()))?;
+    let (program, proof) = proved_program(kernel, &specification, definition.recipe(&recipe, model), model)?;
+    let bound = Bound::new(&specification, &program);
+    Ok(Compiled { kernel: index, part, model, name, specification, program, proof, bound, expanded })
+}
+
+/// The meaning of a kernel, errors at the output type where that is to blame.
+fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specification> {
+    let specification = Specification::new(definition, kernel).map_err(|found| {
+        let span = match &found {
+            SpecificationError::CannotHold(..)
+            | SpecificationError::WrongConstant(..)
+            | SpecificationError::BrokenPromise(..) => kernel.output_span,
+            SpecificationError::NotABivector(..) | SpecificationError::NotAUnit(..) => kernel.expression.span,
+            _ => kernel.span,
+        };
+        syn::Error::new(span, format!("kernel `{}`: {found}", kernel.name))
+    })?;
+    kernel::check_kernel(definition, kernel, &specification).map_err(|found| at(kernel, found.to_string()))?;
+    Ok(specification)
+}
+
+/// The program of the recipe, if there is one, else the cheapest that is found at once; proved either way.
+fn proved_program(
+    kernel: &Kernel,
+    specification: &Specification,
+    recipe: Option<&Recipe>,
+    model: CostModel,
+) -> syn::Result<(Program, Proof)> {
+    if let Some(recipe) = recipe {
+        let replayed = factor::replay(specification, recipe).and_then(|program| {
+            let proof = prove(specification, &program).map_err(|refutation| refutation.to_string())?;
+            Ok((program, proof))
+        });
+        return replayed.map_err(|reason| {
+            let (name, owner) = (&recipe.kernel, &kernel.name);
+            let message = format!(
+                "expected a recipe that fits `{name}`, found that {reason}: renew it with `ga-codegen search DEFINITION \
+                 --kernel {owner}`"
+            );
+            syn::Error::new(recipe.span, message)
+        });
+    }
+    let program = factor(specification, model).map_err(|found| at(kernel, found.to_string()))?;
+    let proof = prove(specification, &program).map_err(|refutation| match refutation {
+        Refutation::CannotHold(_) => {
+            syn::Error::new(kernel.output_span, format!("kernel `{}`: {refutation}", kernel.name))
+        }
+        _ => at(kernel, format!("expected a proof, found a refutation: {refutation}")),
+    })?;
+    Ok((program, proof))
+}
+
+fn at(kernel: &Kernel, message: String) -> syn::Error {
+    syn::Error::new(kernel.span, format!("kernel `{}`: {message}", kernel.name))
+}
