@@ -410,7 +410,7 @@ kernel f(a: Vector) -> Vector = 9223372036854775807 * 9223372036854775807 * 9223
 signature (2, 0, 0);
 entity Vector { e1, e2 }
 kernel f(a: Vector) -> Vector = 1000000007 * 1000000009 * a;",
-        &["3:8: expected numbers whose numerator and denominator fit 32 bits, found 1000000016000000063"],
+        &["3:8: kernel `f`: expected numbers whose numerator and denominator fit 32 bits, found 1000000016000000063"],
     );
 }
 
