@@ -220,7 +220,7 @@ fn mutate(definition: &Definition, compiled: &Compiled, prepare: &Program, total
         totals.mutants += 1;
         if let Err(refutation) = prove(&compiled.specification, &mutant.program) {
             let settled =
-                !matches!(refutation, Refutation::Overflow | Refutation::OutputCount | Refutation::Imprecise(_));
+                !matches!(refutation, Refutation::Overflow | Refutation::OutputCount | Refutation::Imprecise(..));
             assert!(settled, "{}: given up, not refuted: {refutation}", compiled.name);
             totals.refuted += 1;
             continue;

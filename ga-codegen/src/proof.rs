@@ -5,27 +5,32 @@
 //!
 //! The program of `exp` or `log` is evaluated on formal power series (see [`SeriesRing`]) and compared with the
 //! definition: exp(B) with sum of B^n / n!, and log with B where its argument is that sum. What the output type promises
-//! is proved of the same series. This is a proof to total degree [`ORDER`] in the coefficients of the bivector and no
-//! further: a program that differs from the definition in terms of higher degree alone, such as one that adds `e23^13`
-//! to an output, is accepted. If all terms agree, the functions, which are analytic, are equal about the identity, as far
-//! as the branches of the root and of atan2 reach. An argument of log is promised to be a unit, see [`Specification`].
+//! is proved of the same series. This is a proof to a total degree in the coefficients of the bivector, [`ORDER`] or one
+//! beyond the degree of the program, whichever is greater, and no further: so a program that is wrong by a polynomial of
+//! its inputs, such as `e23^13`, is refuted, but one that is wrong by terms of higher degree alone, such as the
+//! thirteenth power of 1 - cos(l), is accepted. If all terms agree, the functions, which are analytic, are equal about the
+//! identity, as far as the branches of the root and of atan2 reach. An argument of log is promised to be a unit, see
+//! [`Specification`].
 //!
 //! This file knows nothing of how programs are found.
 
 use crate::algebra::{Blade, Product};
 use crate::kernel::{Analytic, Component, ComponentValue, Entity, Specification};
-use crate::program::{Domain, Program};
+use crate::program::{Domain, Operation, Program};
 use crate::symbolic::{
     Monomial, Multivector, Overflow, Polynomial, Rational, Series, SeriesError, SeriesRing, Symbol,
     reciprocal_factorial,
 };
 use std::fmt;
 
-/// The total degree up to which power series are compared.
+/// The total degree up to which power series are compared at least.
 pub const ORDER: usize = 12;
 
-/// Quotients lose up to three orders on the way, so more are carried.
-const CARRIED_ORDER: usize = ORDER + 4;
+/// The greatest total degree for which power series are computed.
+const MAX_ORDER: usize = 20;
+
+/// Quotients lose up to three orders on the way, so more are carried than are compared.
+const LOST_ORDERS: usize = 4;
 
 /// What has been proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,8 +65,8 @@ pub enum Refutation {
     Different(String, String),
     /// The program breaks a promise of the output type: the relation and the normal form of the excess.
     BrokenPromise(String, String),
-    /// A series is known to too low an order.
-    Imprecise(String),
+    /// A series is known to too low an order: its name, and the order to which it should be known.
+    Imprecise(String, usize),
 }
 
 impl From<Overflow> for Refutation {
@@ -90,7 +95,7 @@ impl fmt::Display for Refutation {
                 write!(f, "coefficient `{name}`: program minus definition is {difference}")
             }
             Self::BrokenPromise(relation, excess) => write!(f, "relation `{relation}`: the difference is {excess}"),
-            Self::Imprecise(name) => write!(f, "coefficient `{name}`: the series is not known to order {ORDER}"),
+            Self::Imprecise(name, order) => write!(f, "coefficient `{name}`: the series is not known to order {order}"),
         }
     }
 }
@@ -152,16 +157,46 @@ pub(crate) fn evaluate_polynomials(program: &Program, inputs: usize) -> Option<V
     all.evaluate(&PolynomialDomain, &inputs).ok()
 }
 
+/// The order to which the series of a program are compared: beyond its degree, where roots, quotients and functions count
+/// as degree 1, so that no polynomial of the inputs in it is overlooked.
+fn order(program: &Program) -> Result<usize, Refutation> {
+    let mut degrees: Vec<usize> = Vec::with_capacity(program.operations.len());
+    for operation in &program.operations {
+        let operands = operation.operands().map(|operand| degrees[operand]);
+        degrees.push(match operation {
+            Operation::Constant(_) => 0,
+            Operation::Add(..) | Operation::Sub(..) | Operation::Neg(_) | Operation::Double(_) => {
+                operands.max().unwrap_or(0)
+            }
+            Operation::Mul(..) => operands.fold(0, usize::saturating_add),
+            _ => 1,
+        });
+    }
+    let degree = degrees.into_iter().max().unwrap_or(0);
+    if degree >= MAX_ORDER {
+        let text = format!("expected a program of a degree below {MAX_ORDER}, found one of degree {degree}");
+        return Err(Refutation::Undefined(text));
+    }
+    Ok(ORDER.max(degree + 1))
+}
+
 /// The exponential series of a bivector, and the ring of its coefficients.
 struct Exponential {
+    order: usize,
     ring: SeriesRing,
     names: Vec<String>,
     sum: Multivector,
 }
 
 impl Exponential {
-    /// sum of B^n / n! to the carried order, where the first `unknowns` symbols are the unknowns.
-    fn new(specification: &Specification, bivector: &Multivector, mut names: Vec<String>) -> Result<Self, Refutation> {
+    /// sum of B^n / n!, for a comparison to this order; the unknowns have these names.
+    fn new(
+        specification: &Specification,
+        bivector: &Multivector,
+        mut names: Vec<String>,
+        order: usize,
+    ) -> Result<Self, Refutation> {
+        let carried = order + LOST_ORDERS;
         let basis = &specification.basis;
         let constant = |(_, c): (Blade, &Polynomial)| !c.coefficient(&Monomial::default()).is_zero();
         if bivector.terms().any(|(blade, _)| blade.grade() != 2) || bivector.terms().any(constant) {
@@ -172,15 +207,15 @@ impl Exponential {
         let square = bivector.product(Product::Geometric, bivector, basis)?.coefficient(Blade::SCALAR).neg();
         let radical = names.len() as Symbol;
         names.push("l".to_owned());
-        let ring = SeriesRing::new(CARRIED_ORDER, radical, &square)?;
+        let ring = SeriesRing::new(carried, radical, &square)?;
         let mut sum = Multivector::scalar(Polynomial::one());
         let mut power = sum.clone();
-        for n in 1..=CARRIED_ORDER {
+        for n in 1..=carried {
             let next = power.product(Product::Geometric, bivector, basis)?;
             power = next.map(|c| Ok::<_, Refutation>(ring.series(c)?.polynomial().clone()))?;
             sum = sum.add(&power.scale(reciprocal_factorial(n)?)?)?;
         }
-        Ok(Self { ring, names, sum })
+        Ok(Self { order, ring, names, sum })
     }
 
     /// The coefficients of the series in an entity's fields, once it is known to hold all of them.
@@ -206,11 +241,11 @@ impl Exponential {
         entity.fields().map(field).collect()
     }
 
-    /// Compares two series to [`ORDER`].
+    /// Compares two series to the order of the proof.
     fn compare(&self, name: &str, computed: &Series, specified: &Series) -> Result<(), Refutation> {
         let difference = self.ring.add(computed, &self.ring.neg(specified))?;
-        if difference.order() < ORDER {
-            return Err(Refutation::Imprecise(name.to_owned()));
+        if difference.order() < self.order {
+            return Err(Refutation::Imprecise(name.to_owned(), self.order));
         }
         let low = self.low_terms(&difference)?;
         if low.is_zero() { Ok(()) } else { Err(Refutation::Different(name.to_owned(), low.display(&self.names))) }
@@ -218,7 +253,7 @@ impl Exponential {
 
     fn low_terms(&self, series: &Series) -> Result<Polynomial, Overflow> {
         let mut low = Polynomial::zero();
-        for (monomial, coefficient) in series.polynomial().terms().filter(|(m, _)| m.degree() <= ORDER) {
+        for (monomial, coefficient) in series.polynomial().terms().filter(|(m, _)| m.degree() <= self.order) {
             low.add_term(monomial.clone(), coefficient)?;
         }
         Ok(low)
@@ -235,8 +270,8 @@ impl Exponential {
                 }
                 sum = self.ring.add(&sum, &product)?;
             }
-            if sum.order() < ORDER {
-                return Err(Refutation::Imprecise(statement.text.clone()));
+            if sum.order() < self.order {
+                return Err(Refutation::Imprecise(statement.text.clone(), self.order));
             }
             let excess = self.low_terms(&sum)?;
             if !excess.is_zero() {
@@ -252,7 +287,7 @@ fn prove_exp(specification: &Specification, program: &Program) -> Result<Proof, 
         let text = "expected an argument of exp whose coefficients are free, found relations between them";
         return Err(Refutation::Undefined(text.to_owned()));
     }
-    let exponential = Exponential::new(specification, &specification.value, specification.names())?;
+    let exponential = Exponential::new(specification, &specification.value, specification.names(), order(program)?)?;
     let inputs: Vec<_> = (0..specification.coefficients.len())
         .map(|symbol| exponential.ring.series(&Polynomial::symbol(symbol as Symbol)))
         .collect::<Result<_, _>>()?;
@@ -263,7 +298,7 @@ fn prove_exp(specification: &Specification, program: &Program) -> Result<Proof, 
         exponential.compare(field, computed, specified)?;
     }
     exponential.keep_promises(&specification.output, &computed)?;
-    Ok(Proof::Series(ORDER))
+    Ok(Proof::Series(exponential.order))
 }
 
 /// log is proved on the values of exp: the unknowns are the coefficients of the logarithm.
@@ -278,7 +313,7 @@ fn prove_log(specification: &Specification, program: &Program) -> Result<Proof, 
     }
     let output = &specification.output;
     let names = output.fields().map(|(field, _)| field.to_owned()).collect();
-    let exponential = Exponential::new(specification, &output.symbolic(0), names)?;
+    let exponential = Exponential::new(specification, &output.symbolic(0), names, order(program)?)?;
     let inputs = exponential.arguments(specification)?;
     let computed = program.evaluate(&exponential.ring, &inputs)?;
     for (symbol, ((field, _), computed)) in output.fields().zip(&computed).enumerate() {
@@ -286,7 +321,7 @@ fn prove_log(specification: &Specification, program: &Program) -> Result<Proof, 
         exponential.compare(field, computed, &specified)?;
     }
     exponential.keep_promises(output, &computed)?;
-    Ok(Proof::Series(ORDER))
+    Ok(Proof::Series(exponential.order))
 }
 
 impl Exponential {

@@ -50,6 +50,30 @@ fn a_limit_holds_wherever_the_radical_is_0() {
     }
 }
 
+/// Series are compared to order 12 at least, and beyond the degree of the program.
+#[test]
+fn a_polynomial_of_any_degree_is_not_overlooked() {
+    for power in [1, 12, 13, 19, 20, 1000] {
+        for (preset, kernel) in [("pga3d", "line_exp"), ("pga2d", "motor_log")] {
+            let Compiled { specification, mut program, .. } = compiled(preset, kernel);
+            let input = |operation: &Operation| matches!(operation, Operation::Input(_));
+            let x = program.operations.iter().position(input).expect("an input");
+            let push = |program: &mut Program, operation| {
+                program.operations.push(operation);
+                program.operations.len() - 1
+            };
+            let mut wrong = x;
+            for _ in 1..power {
+                wrong = push(&mut program, Operation::Mul(wrong, x));
+            }
+            let first = program.outputs[0];
+            program.outputs[0] = push(&mut program, Operation::Add(first, wrong));
+            let proof = prove(&specification, &program);
+            assert!(proof.is_err(), "{kernel} and a power of {power}: {proof:?}");
+        }
+    }
+}
+
 /// The root of -x^2 is no number for any x but 0.
 #[test]
 fn a_radical_is_a_sum_of_squares() {
