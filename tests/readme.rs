@@ -31,6 +31,25 @@ fn readme_shows_the_emitted_kernel() {
 }
 
 #[test]
+fn readme_shows_the_costs_beside_the_records() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/budgets.md");
+    let budgets = fs::read_to_string(path).expect("the table of budgets");
+    let mut expected = "| kernel | record | mul+add | FMA |\n|---|---|---|---|\n".to_owned();
+    for line in budgets.lines() {
+        let cells: Vec<_> = line.trim_matches('|').split('|').map(str::trim).collect();
+        if let [name, record, _, cost, fma, _] = cells[..]
+            && record.contains('+')
+        {
+            expected += &format!("| {name} | {record} | {cost} | {fma} |\n");
+        }
+    }
+    let readme = readme();
+    let shown = readme.split_once("<!-- costs -->\n").and_then(|(_, rest)| rest.split_once("<!-- /costs -->"));
+    let shown = shown.expect("the README's place for the costs").0;
+    assert!(shown == expected, "expected between the marks of the README:\n{expected}");
+}
+
+#[test]
 fn ten_lines_of_use_hold() {
     use pga_motor::f32::{Direction, Motor, Point, Rotor, Translator};
 

@@ -121,6 +121,10 @@ fn compile_task(definition: &Definition, index: usize, task: Task) -> syn::Resul
     let Task { part, model, name, recipe, specification } = task;
     let expanded = factor::expanded_count(&specification).map_err(|found| at(kernel, found.to_string()))?;
     let (program, proof) = proved_program(kernel, &specification, definition.recipe(&recipe, model), model)?;
+    if let Some(number) = program.unnameable_number() {
+        let message = format!("expected numbers whose numerator and denominator fit 32 bits, found {number}");
+        return Err(at(kernel, message));
+    }
     let bound = Bound::new(&specification, &program);
     Ok(Compiled { kernel: index, part, model, name, specification, program, proof, bound, expanded })
 }

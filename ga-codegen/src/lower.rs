@@ -34,8 +34,10 @@ impl Errors {
     }
 }
 
-/// Names that emitted code has for something else: the traits of numbers, and the type of a coefficient.
-const RESERVED: [&str; 3] = [Entity::SCALAR, "Real", "T"];
+/// Names that emitted code has for something else: the traits that it implements or asks for, the types of coefficients,
+/// its modules.
+const RESERVED: [&str; 11] =
+    [Entity::SCALAR, "Real", "T", "U", "From", "Default", "FnMut", "kernels", "scalar", "f32", "f64"];
 
 /// Resolves the items of a block.
 ///
@@ -81,6 +83,7 @@ pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
             definition.kernels.push(kernel);
         }
     }
+    check_parts(&definition, &mut errors);
     for item in items {
         let Item::Recipe { kernel, model, rows } = item else { continue };
         match recipe::recipe(kernel, model, rows) {
@@ -89,6 +92,22 @@ pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
         }
     }
     errors.into_result(definition)
+}
+
+/// Checks that what kernels are split into has names of its own.
+fn check_parts(definition: &Definition, errors: &mut Errors) {
+    let mut functions: Vec<&str> = definition.kernels.iter().map(|kernel| kernel.name.as_str()).collect();
+    let mut types: Vec<&str> = definition.entities.iter().map(|entity| entity.name.as_str()).collect();
+    types.extend(RESERVED);
+    for hoist in definition.kernels.iter().filter_map(|kernel| kernel.hoist.as_ref()) {
+        for (name, is_type) in [(&hoist.record, true), (&hoist.prepare, false), (&hoist.apply, false)] {
+            let taken = if is_type { &mut types } else { &mut functions };
+            if taken.contains(&name.as_str()) {
+                errors.push(hoist.span, format!("expected names that are not taken, found `{name}`, which is"));
+            }
+            taken.push(name);
+        }
+    }
 }
 
 /// Reads a recipe on its own.

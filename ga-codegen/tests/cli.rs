@@ -154,7 +154,7 @@ fn the_command_alone_is_the_report_of_pga3d() {
     let without_time = |text: String| text.rsplit_once(" proved, in ").expect("the time at the end").0.to_owned();
     let alone = without_time(printed(&[]));
     assert_eq!(alone, without_time(printed(&["report", "pga3d"])));
-    assert!(alone.starts_with("pga3d: Cl(3,0,1) and "), "{alone}");
+    assert!(alone.starts_with("pga3d: Cl(3,0,1), "), "{alone}");
     assert!(alone.contains("(m: Motor, p: Point) -> Point = m >> p"), "{alone}");
 }
 
@@ -318,4 +318,66 @@ fn an_unknown_product_format_or_signature_is_refused() {
     assert!(refused(&["table", "3,0"]).contains("a signature p,q,r, found `3,0`"));
     assert!(refused(&["table", "9,0,0"]).contains("expected at most 8 generators, found Cl(9,0,0)"));
     refused(&["dance"]);
+}
+
+// search
+
+const SANDWICH: &str = "
+signature (3, 0, 0);
+entity Vector { x: e1, y: e2, z: e3 }
+entity Rotor { s: 1, e23, e31: e13, e12 } where s*s == 1 - e23*e23 - e31*e31 - e12*e12;
+kernel turn(uniform r: Rotor, v: Vector) -> Vector = r >> v cost flops, fma hoist Matrix, prepare, apply;
+";
+
+#[test]
+fn a_search_leaves_recipes_that_expansion_replays() {
+    let (block, recipes) = (file("turn.ga", SANDWICH), file("turn.recipes.ga", ""));
+    let search = |restarts: &str| printed(&["search", text(&block), "--restarts", restarts, "-o", text(&recipes)]);
+    let _ = std::fs::remove_file(recipes.with_extension("search.json"));
+    let log = search("40");
+    assert!(log.starts_with("turn flops: 18+12 (18 FMA, "), "{log}");
+    assert!(log.contains("40 restarts, found at "), "{log}");
+    let found = std::fs::read_to_string(&recipes).expect("the recipes");
+    assert!(found.starts_with("recipe turn flops {\n") && found.contains("recipe prepare flops {\n"), "{found}");
+
+    // What was done is not done again; the same search ends alike.
+    assert_eq!(search("40"), log);
+    assert_eq!(std::fs::read_to_string(&recipes).expect("the recipes"), found);
+    std::fs::remove_file(recipes.with_extension("search.json")).expect("the state of the search");
+    assert_eq!(search("40"), log);
+    assert_eq!(std::fs::read_to_string(&recipes).expect("the recipes"), found);
+
+    // A search for some kernels leaves the recipes of the others.
+    let (two, more) =
+        (file("two.ga", &format!("{SANDWICH}kernel back(r: Rotor, v: Vector) -> Vector = ~r >> v;\n")), found.clone());
+    printed(&["search", text(&two), "--kernel", "back", "--restarts", "10", "-o", text(&recipes)]);
+    let both = std::fs::read_to_string(&recipes).expect("the recipes");
+    assert!(both.starts_with(&more) && both.contains("recipe back flops {\n"), "{both}");
+
+    // The block with the recipes is replayed and proved.
+    let both = file("turned.ga", &format!("{SANDWICH}{found}"));
+    let report = printed(&["report", text(&both)]);
+    assert!(report.contains("All 4 programs proved"), "{report}");
+    assert!(report.contains("18+12"), "{report}");
+}
+
+#[test]
+fn a_search_for_what_is_not_there_says_so() {
+    let block = file("searched.ga", SANDWICH);
+    let message = refused(&["search", text(&block), "--kernel", "twist"]);
+    assert_eq!(message, format!("error: expected a kernel of {}, found `twist`\n", block.display()));
+}
+
+#[test]
+fn the_report_is_plain_where_there_is_no_terminal_and_a_table_in_markdown() {
+    assert!(!printed(&["report", "pga2d"]).contains('\u{1b}'));
+    let table = printed(&["report", "pga2d", "--markdown"]);
+    let mut lines = table.lines();
+    assert_eq!(
+        lines.next(),
+        Some("| kernel | definition | model | expanded | emitted | FMA | depth | error / u | proof |")
+    );
+    assert_eq!(lines.next(), Some("|---|---|---|---|---|---|---|---|---|"));
+    // A bar in a definition does not end a cell.
+    assert!(table.contains("(a: Line, b: Line) -> Scalar = a \\| b"), "{table}");
 }

@@ -410,7 +410,7 @@ kernel f(a: Vector) -> Vector = 9223372036854775807 * 9223372036854775807 * 9223
 signature (2, 0, 0);
 entity Vector { e1, e2 }
 kernel f(a: Vector) -> Vector = 1000000007 * 1000000009 * a;",
-        &["3:8: expected numbers whose numerator and denominator fit 32 bits, found 1000000016000000063"],
+        &["3:8: kernel `f`: expected numbers whose numerator and denominator fit 32 bits, found 1000000016000000063"],
     );
 }
 
@@ -541,7 +541,7 @@ scalar;",
             "3:19: expected a blade, found `,`",
             "4:19: expected `->`, found `=`",
             "5:10: expected `(`, found `a`",
-            "6:1: expected `signature`, `basis`, `entity`, `kernel`, `preset`, `scalar` or `export`, found `entiti`",
+            "6:1: expected `signature`, `basis`, `entity`, `kernel`, `preset`, `scalar`, `export` or `recipe`, found `entiti`",
             "7:7: expected a name for the exported list of kernels, found `;`",
             "8:8: expected one of the presets `pga3d`, `pga2d`, found `pga4d`",
             "9:7: expected the path of the module with the traits `Scalar` and `Real`, found `;`",
@@ -553,7 +553,7 @@ scalar;",
 fn expressions_that_do_not_parse_are_reported_at_the_token() {
     let cases = [
         ("a *", "3:36: expected an expression, found `;`"),
-        ("a b", "3:35: expected `;`, found `b`"),
+        ("a b", "3:35: expected an operator, `where`, `cost`, `hoist` or `;`, found `b`"),
         ("(a b)", "3:36: expected an operator or `)`, found `b`"),
         ("(a +)", "3:37: expected an expression, found the end"),
         ("dual(a b)", "3:40: expected `,`, found `b`"),
@@ -689,4 +689,87 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn names_of_emitted_code_are_refused() {
+    for name in ["U", "From", "Default", "kernels", "scalar"] {
+        let block = format!("signature (2, 0, 0);\nentity {name} {{ e1, e2 }}\n");
+        let message = format!("2:8: expected an entity whose name emitted code does not use, found `{name}`");
+        assert_errors(&block, &[&message]);
+    }
+}
+
+#[test]
+fn parts_of_a_kernel_have_names_of_their_own() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Vector { e1, e2 }
+kernel f(uniform a: Vector, b: Vector) -> Scalar = a | b hoist Vector, f, g;
+",
+        &[
+            "3:64: expected names that are not taken, found `Vector`, which is",
+            "3:64: expected names that are not taken, found `f`, which is",
+        ],
+    );
+}
+
+#[test]
+fn uniform_inputs_and_hoist_go_together() {
+    let block = |kernel: &str| format!("\nsignature (2, 0, 0);\nentity Vector {{ e1, e2 }}\n{kernel}\n");
+    assert_errors(
+        &block("kernel f(uniform a: Vector, b: Vector) -> Scalar = a | b;"),
+        &[
+            "3:18: expected `hoist STRUCT, PREPARE, APPLY` after the definition of a kernel with a `uniform` parameter, \
+           found none",
+        ],
+    );
+    assert_errors(
+        &block("kernel f(a: Vector, b: Vector) -> Scalar = a | b hoist Dual, make, take;"),
+        &["3:56: expected `hoist` at a polynomial kernel with `uniform` and other parameters, found another kernel"],
+    );
+    assert_errors(
+        &block("kernel f(uniform a: Vector, b: Vector) -> Scalar = a | b hoist Dual, make;"),
+        &["3:58: expected `hoist STRUCT, PREPARE, APPLY`, found 2 names"],
+    );
+    assert_errors(
+        &block("kernel f(uniform a: Vector, b: Vector) -> Scalar = (a | b) * (b | b) hoist Dual, make, take;"),
+        &["3:76: kernel `f`: expected a definition that is linear in the varying inputs, found a term with b.e1^3"],
+    );
+}
+
+#[test]
+fn recipes_that_do_not_fit_say_how_to_renew_them() {
+    let block = |recipe: &str| {
+        format!(
+            "\nsignature (2, 0, 0);\nentity Vector {{ e1, e2 }}\nkernel f(a: Vector, b: Vector) -> Scalar = a | b;\n{recipe}\n"
+        )
+    };
+    let expands = block("recipe f flops { t0 = a.e1 * b.e1; out = t0 + a.e2 * b.e2; }");
+    assert!(ga_codegen::expand(expands.parse().expect("tokens")).is_ok());
+    let unfit = |reason: &str| {
+        format!(
+            "4:8: expected a recipe that fits `f`, found that {reason}: renew it with `ga-codegen search DEFINITION \
+             --kernel f`"
+        )
+    };
+    assert_errors(
+        &block("recipe f flops { out = a.e1 * b.e1 - a.e2 * b.e2; }"),
+        &[&unfit("coefficient `1`: program minus definition is -2 a.e2 b.e2")],
+    );
+    assert_errors(&block("recipe f flops { t0 = a.e1; }"), &[&unfit("it has no row `out`")]);
+    assert_errors(&block("recipe f flops { out = a.e3; }"), &[&unfit("it uses `a.e3`, which is not known there")]);
+    assert_errors(
+        &block("recipe g flops { out = a.e1; }"),
+        &["4:8: expected a kernel with the cost model flops, found none named `g`"],
+    );
+    assert_errors(
+        &block("recipe f speed { out = a.e1; }"),
+        &["4:10: expected a cost model (`flops`, `fma`, `latency`), found `speed`"],
+    );
+    assert_errors(
+        &block("recipe f flops { out = ~a.e1; }"),
+        &["4:24: expected sums and products of coefficients, rows and numbers"],
+    );
 }

@@ -97,3 +97,51 @@ fn complex_numbers_multiply() {
     assert_eq!(Complex::<f64>::IDENTITY * a, a);
     assert_eq!(format!("{a:.1}"), "1.0 + 2.0 i");
 }
+
+/// Definitions whose operators and conversions the types have already, or would have twice.
+mod overlapping {
+    ga_macros::algebra! {
+        signature (2, 0, 0);
+        entity Vector { e1, e2 }
+        entity Arrow { e1, e2 }
+        kernel vector_scale(v: Vector, k: Scalar) -> Vector = v * k;
+        kernel vector_add(a: Vector, b: Vector) -> Vector = a + b;
+        kernel arrow_from_vector(v: Vector) -> Arrow = v;
+        kernel arrow_of_vector(v: Vector) -> Arrow = v;
+        kernel second(a: Vector, _a: Vector) -> Vector = _a;
+    }
+}
+
+#[test]
+fn overlapping_operators_are_implemented_once() {
+    use overlapping::{Arrow, Vector, kernels};
+
+    let v = Vector::new(1.0_f64, 2.0);
+    assert_eq!(kernels::vector_scale(v, 3.0), v * 3.0);
+    assert_eq!(kernels::vector_add(v, v), v + v);
+    assert_eq!(Arrow::from(v), kernels::arrow_of_vector(v));
+    assert_eq!(kernels::second(v, v + v), v + v);
+}
+
+/// `uniform` inputs: what they determine is computed once.
+mod hoisted {
+    ga_macros::algebra! {
+        signature (2, 0, 0);
+        entity Vector { x: e1, y: e2 }
+        entity Rotor { c: 1, s: e12 } where c*c == 1 - s*s;
+        kernel turn(uniform r: Rotor, v: Vector) -> Vector = r >> v cost flops, latency hoist Matrix, prepare, apply;
+    }
+}
+
+#[test]
+fn parts_of_a_kernel_applied_one_after_the_other_are_the_kernel() {
+    use hoisted::{Rotor, Vector, kernels};
+
+    let (r, v) = (Rotor::new(0.6_f64, 0.8), Vector::new(2.0, 5.0));
+    let (whole, parts) = (kernels::turn(r, v), kernels::apply(kernels::prepare(r), v));
+    // A handful of operations on numbers up to 10 on either side.
+    assert!((whole.x - parts.x).abs() < 1e-14 && (whole.y - parts.y).abs() < 1e-14);
+    assert_eq!(whole, r >> v);
+    let quick = kernels::turn_latency(r, v);
+    assert!((whole.x - quick.x).abs() < 1e-14 && (whole.y - quick.y).abs() < 1e-14);
+}

@@ -66,3 +66,44 @@ fn a_wrong_kernel_is_found_out() {
     table[reverse].call = table[unchanged].call;
     suite::agree_exactly("pga3d", &table);
 }
+
+/// Parts and variants of kernels, which have no definition of their own, beside the kernels that they belong to.
+mod parts {
+    use crate::dispatch::take;
+    use crate::exact::Exact;
+    use crate::{samples, suite};
+    use pga_motor::kernels::*;
+
+    /// Exact inputs of a kernel of pga3d.
+    fn rows(name: &str) -> Vec<Vec<Exact>> {
+        let definition = suite::definition("pga3d");
+        let kernel = definition.kernel(name).expect("a kernel of pga3d");
+        let mut random = samples::Random(name.len() as u64);
+        (0..200).map(|_| samples::row(&definition, kernel, &mut random)).collect()
+    }
+
+    macro_rules! equal {
+        ($($whole:ident, |$a:ident, $b:ident| $other:expr;)*) => {
+            $(for row in rows(stringify!($whole)) {
+                let mut rest = row.as_slice();
+                let ($a, $b) = (take(&mut rest), take(&mut rest));
+                assert_eq!($whole($a, $b), $other, "{} on {row:?}", stringify!($whole));
+            })*
+        };
+    }
+
+    #[test]
+    fn parts_applied_one_after_the_other_are_the_kernel() {
+        equal! {
+            motor_transform_point, |m, p| matrix_apply_point(motor_to_matrix(m), p);
+            motor_transform_direction, |m, d| matrix_apply_direction(motor_to_direction_matrix(m), d);
+            motor_transform_plane, |m, p| matrix_apply_plane(motor_to_plane_matrix(m), p);
+            motor_transform_line, |m, l| matrix_apply_line(motor_to_line_matrix(m), l);
+        }
+    }
+
+    #[test]
+    fn variants_for_other_cost_models_are_the_kernel() {
+        equal! { rotor_transform_line, |r, l| rotor_transform_line_fma(r, l); }
+    }
+}

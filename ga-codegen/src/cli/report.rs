@@ -2,7 +2,7 @@
 
 use super::source::{Source, compiled};
 use anstyle::{AnsiColor, Style};
-use ga_codegen::kernel::Definition;
+use ga_codegen::kernel::{Definition, Hoist};
 use ga_codegen::program::{Bound, Count};
 use ga_codegen::{Compiled, Part};
 use serde_json::{Value, json};
@@ -47,11 +47,30 @@ pub(crate) fn run(source: &str, format: Format) -> Result<String, String> {
     }
 }
 
-fn signature(definition: &Definition, compiled: &Compiled) -> String {
+/// Names and types of what a program takes: a part of a kernel takes less than the whole.
+fn inputs<'a>(definition: &'a Definition, compiled: &Compiled) -> Vec<(&'a str, &'a str)> {
     let kernel = &definition.kernels[compiled.kernel];
-    let parameters: Vec<_> =
-        kernel.parameters.iter().map(|p| format!("{}: {}", p.name, definition.entities[p.entity].name)).collect();
-    format!("({}) -> {}", parameters.join(", "), definition.entities[kernel.output].name)
+    let parameters = kernel.parameters.iter().zip(&kernel.uniform).filter(|(_, uniform)| match compiled.part {
+        Part::Whole => true,
+        Part::Prepare => **uniform,
+        Part::Apply => !**uniform,
+    });
+    let record = kernel.hoist.as_ref().filter(|_| compiled.part == Part::Apply);
+    let record = record.map(|hoist| (Hoist::RECORD, hoist.record.as_str()));
+    let own = parameters.map(|(p, _)| (p.name.as_str(), definition.entities[p.entity].name.as_str()));
+    record.into_iter().chain(own).collect()
+}
+
+/// The type of what a program gives.
+fn output<'a>(definition: &'a Definition, compiled: &Compiled) -> &'a str {
+    let kernel = &definition.kernels[compiled.kernel];
+    let record = kernel.hoist.as_ref().filter(|_| compiled.part == Part::Prepare);
+    record.map_or(&definition.entities[kernel.output].name, |hoist| &hoist.record)
+}
+
+fn signature(definition: &Definition, compiled: &Compiled) -> String {
+    let inputs: Vec<_> = inputs(definition, compiled).iter().map(|(name, of)| format!("{name}: {of}")).collect();
+    format!("({}) -> {}", inputs.join(", "), output(definition, compiled))
 }
 
 /// What a program computes; the parts of a kernel say which they are.
@@ -122,18 +141,15 @@ fn markdown(rows: &[[String; 9]]) -> String {
 
 fn object(definition: &Definition, compiled: &Compiled) -> Value {
     let kernel = &definition.kernels[compiled.kernel];
-    let inputs: Vec<_> = kernel
-        .parameters
-        .iter()
-        .map(|p| json!({ "name": p.name, "type": definition.entities[p.entity].name }))
-        .collect();
+    let inputs = inputs(definition, compiled);
+    let inputs: Vec<_> = inputs.iter().map(|(name, of)| json!({ "name": name, "type": of })).collect();
     let count = Count::of(&compiled.program);
     json!({
         "kernel": if compiled.part == Part::Whole { &kernel.name } else { &compiled.name },
         "function": compiled.name,
         "definition": kernel.definition(),
         "inputs": inputs,
-        "output": definition.entities[kernel.output].name,
+        "output": output(definition, compiled),
         "cost_model": compiled.model.name(),
         "expanded": compiled.expanded.map(|count| json!({ "mul": count.mul, "add": count.add })),
         "emitted": {

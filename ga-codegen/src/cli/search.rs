@@ -8,6 +8,7 @@ use ga_codegen::proof::prove;
 use ga_codegen::{Task, tasks};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -27,6 +28,7 @@ fn key(task: &Task) -> String {
 
 /// What a job leaves behind.
 struct Found {
+    place: Place,
     recipe: Option<String>,
     line: String,
 }
@@ -51,12 +53,14 @@ pub(crate) fn run(request: &Request) -> Result<String, String> {
         workers.into_iter().try_for_each(|worker| worker.join().expect("invariant: a worker does not panic"))
     })?;
     bar.finish_and_clear();
-    let (mut log, mut recipes) = (String::new(), String::new());
+    let mut log = String::new();
+    let mut recipes = kept(&definition, request);
     for slot in found {
         let found = slot.into_inner().ok().flatten().ok_or("error: a search did not finish")?;
         log += &found.line;
-        recipes += found.recipe.as_deref().unwrap_or_default();
+        recipes.insert(found.place, found.recipe.unwrap_or_default());
     }
+    let recipes: String = recipes.into_values().collect();
     match &request.output {
         Some(path) => {
             fs::write(path, recipes).map_err(|error| format!("error: {}: {error}", path.display()))?;
@@ -66,8 +70,33 @@ pub(crate) fn run(request: &Request) -> Result<String, String> {
     }
 }
 
+/// Where a recipe stands among those of a definition: the kernel, the program.
+type Place = (usize, usize);
+
+/// The recipes in the output file, where they belong to programs of the definition.
+fn kept(definition: &Definition, request: &Request) -> BTreeMap<Place, String> {
+    let Some(Ok(text)) = request.output.as_ref().map(fs::read_to_string) else { return BTreeMap::new() };
+    let places: BTreeMap<String, Place> = definition
+        .kernels
+        .iter()
+        .enumerate()
+        .flat_map(|(kernel, found)| {
+            let tasks = tasks(definition, found).unwrap_or_default();
+            tasks.into_iter().enumerate().map(move |(task, found)| (key(&found), (kernel, task)))
+        })
+        .collect();
+    let starts: Vec<_> = text.match_indices("recipe ").map(|(start, _)| start).collect();
+    let ends = starts.iter().skip(1).copied().chain([text.len()]);
+    let recipes = starts.iter().zip(ends).map(|(&start, end)| &text[start..end]);
+    let placed = recipes.filter_map(|recipe| {
+        let key = recipe.strip_prefix("recipe ")?.split(" {").next()?;
+        Some((*places.get(key)?, recipe.to_owned()))
+    });
+    placed.collect()
+}
+
 /// Kernels and the places of their programs.
-fn jobs(definition: &Definition, request: &Request) -> Result<Vec<(usize, usize)>, String> {
+fn jobs(definition: &Definition, request: &Request) -> Result<Vec<Place>, String> {
     let mut jobs = Vec::new();
     let asked = |kernel: &Kernel| request.kernels.is_empty() || request.kernels.contains(&kernel.name);
     for (index, kernel) in definition.kernels.iter().enumerate() {
@@ -82,7 +111,7 @@ fn jobs(definition: &Definition, request: &Request) -> Result<Vec<(usize, usize)
 /// Takes jobs until none is left. Definitions stay in their thread, so every worker reads its own.
 fn work(
     request: &Request,
-    jobs: &[(usize, usize)],
+    jobs: &[Place],
     next: &AtomicUsize,
     found: &[Mutex<Option<Found>>],
     state: &Mutex<State>,
@@ -94,13 +123,14 @@ fn work(
         let (Some(&(kernel, task)), Some(slot)) = (jobs.get(index), found.get(index)) else { return Ok(()) };
         let tasks = tasks(&definition, &definition.kernels[kernel])
             .map_err(|error| source::describe(&request.source, &error))?;
-        let result = search(&definition, &tasks[task], request, state, bar)?;
+        let result = search(&definition, (kernel, task), &tasks[task], request, state, bar)?;
         *slot.lock().expect("invariant: no thread panics with the lock") = Some(result);
     }
 }
 
 fn search(
     definition: &Definition,
+    place: Place,
     task: &Task,
     request: &Request,
     state: &Mutex<State>,
@@ -130,13 +160,13 @@ fn search(
         }
     }
     lock().put(task, &done, &search)?;
-    finish(task, &search, &done).map_err(fail)
+    finish(place, task, &search, &done).map_err(fail)
 }
 
 const SAVE_EVERY: u64 = 500;
 
 /// The log line, and the recipe where it beats or replaces what expansion would have to search for itself.
-fn finish(task: &Task, search: &Search, done: &Done) -> Result<Found, String> {
+fn finish(place: Place, task: &Task, search: &Search, done: &Done) -> Result<Found, String> {
     let best = search.best().ok_or("no program was found")?;
     prove(&task.specification, best).map_err(|refutation| refutation.to_string())?;
     let expanded = expanded_count(&task.specification).map_err(|error| error.to_string())?.unwrap_or_default();
@@ -160,7 +190,7 @@ fn finish(task: &Task, search: &Search, done: &Done) -> Result<Found, String> {
     );
     let worth = count.flops() < expanded.flops() || task.model.cost(count) < task.model.cost(quick);
     let recipe = worth.then(|| write_recipe(&task.specification, best, &task.recipe, task.model));
-    Ok(Found { recipe, line })
+    Ok(Found { place, recipe, line })
 }
 
 /// How far every search has come, beside the recipes' file, so that an interrupted search goes on.

@@ -27,6 +27,7 @@ struct Writer<'a> {
     inputs: &'a [TokenStream],
     constants: BTreeMap<Rational, TokenStream>,
     reserved: &'a [&'a str],
+    meanings: &'a BTreeMap<Value, String>,
     uses: Vec<usize>,
     doubled: Vec<bool>,
     names: BTreeMap<Value, Ident>,
@@ -34,9 +35,15 @@ struct Writer<'a> {
     statements: TokenStream,
 }
 
-/// The body of a program whose inputs are these expressions; `reserved` names are not given to temporaries. An error is
-/// at `span`.
-pub(super) fn body(program: &Program, inputs: &[TokenStream], reserved: &[&str], span: Span) -> syn::Result<Body> {
+/// The body of a program whose inputs are these expressions; `reserved` names are not given to temporaries, `meanings` are
+/// where they can. An error is at `span`.
+pub(super) fn body(
+    program: &Program,
+    inputs: &[TokenStream],
+    reserved: &[&str],
+    meanings: &BTreeMap<Value, String>,
+    span: Span,
+) -> syn::Result<Body> {
     let mut uses = vec![0; program.operations.len()];
     let operands = program.operations.iter().flat_map(|operation| operation.operands());
     operands.chain(program.outputs.iter().copied()).for_each(|value| uses[value] += 1);
@@ -48,7 +55,8 @@ pub(super) fn body(program: &Program, inputs: &[TokenStream], reserved: &[&str],
     }
     let constants = constants(program, span)?;
     let (names, statements) = (BTreeMap::new(), TokenStream::new());
-    let mut writer = Writer { program, inputs, constants, reserved, uses, doubled, names, temporaries: 0, statements };
+    let mut writer =
+        Writer { program, inputs, constants, reserved, meanings, uses, doubled, names, temporaries: 0, statements };
     for value in 0..program.operations.len() {
         writer.name_if_needed(value);
     }
@@ -93,10 +101,13 @@ impl Writer<'_> {
             Operation::Sqrt(_) => self.fresh("norm"),
             Operation::Atan2(..) => self.fresh("angle"),
             Operation::Quotient(..) => self.fresh("ratio"),
-            _ if self.uses[value] > 1 || self.doubled[value] => {
-                self.temporaries += 1;
-                self.fresh(&format!("t{}", self.temporaries - 1))
-            }
+            _ if self.uses[value] > 1 || self.doubled[value] => match self.meanings.get(&value) {
+                Some(meaning) => self.fresh(meaning),
+                None => {
+                    self.temporaries += 1;
+                    self.fresh(&format!("t{}", self.temporaries - 1))
+                }
+            },
             _ => return,
         };
         let expression = self.expression(value);

@@ -9,6 +9,7 @@ use crate::program::Program;
 use crate::symbolic::{Polynomial, Rational, Relations, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
+use std::collections::BTreeMap;
 
 /// The struct of an entity and its implementations.
 pub(super) fn entity(entity: &Entity) -> syn::Result<TokenStream> {
@@ -25,6 +26,10 @@ fn fields(entity: &Entity) -> Vec<Ident> {
 
 fn structure(entity: &Entity) -> TokenStream {
     let mut lines = entity.docs.clone();
+    if lines.is_empty() {
+        let blades: Vec<_> = entity.components.iter().map(|component| format!("`{}`", component.name)).collect();
+        lines.push(format!("A multivector of {}.", blades.join(", ")));
+    }
     if !entity.statements.is_empty() {
         let texts: Vec<_> = entity.statements.iter().map(|statement| format!("`{}`", statement.text)).collect();
         lines.extend([String::new(), format!("Every value satisfies {}.", texts.join(" and "))]);
@@ -117,7 +122,7 @@ fn arrays(entity: &Entity) -> TokenStream {
     }
 }
 
-/// `1 + 2 e12 - 3 e0123`: every component, in order, with its blade.
+/// `0.5 + -2 e12 + 3 e0123`: every component, in order, with its blade.
 fn display(entity: &Entity) -> TokenStream {
     let name = ident(&entity.name);
     let mut fields = entity.fields();
@@ -156,8 +161,7 @@ fn display(entity: &Entity) -> TokenStream {
 
 /// Addition and scaling, where the type is a linear space: all coefficients free.
 fn linear(entity: &Entity) -> TokenStream {
-    let constants = entity.components.iter().any(|component| matches!(component.value, ComponentValue::Constant(_)));
-    if constants || !entity.statements.is_empty() {
+    if !entity.is_linear() {
         return TokenStream::new();
     }
     let (name, fields) = (ident(&entity.name), fields(entity));
@@ -320,7 +324,7 @@ fn relation_errors(entity: &Entity) -> syn::Result<TokenStream> {
     let relations: Vec<_> = entity.statements.iter().map(|s| s.relation.polynomial().clone()).collect();
     let program = check_evaluates(entity, &relations)?;
     let inputs: Vec<_> = fields(entity).iter().map(|field| quote!(self.#field)).collect();
-    let body = body(&program, &inputs, &["self"], entity.span)?;
+    let body = body(&program, &inputs, &["self"], &BTreeMap::new(), entity.span)?;
     let (statements, outputs, count) = (body.statements, body.outputs, Literal::usize_unsuffixed(relations.len()));
     let texts: Vec<_> = entity.statements.iter().map(|s| format!("`{}`", s.text)).collect();
     let text = format!(" Left minus right side of {}.", texts.join(", "));

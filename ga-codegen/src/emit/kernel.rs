@@ -1,11 +1,11 @@
 //! Functions from kernels.
 
 use super::body::{access, body};
-use super::{doc, entity_type, ident};
+use super::{doc, entity_type, ident, meaning};
 use crate::compile::{Compiled, Part};
 use crate::kernel::{Definition, Hoist, Kernel};
 use crate::program::{Count, Operation, Program};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// Whether a program needs more than a ring.
@@ -25,7 +25,7 @@ pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Res
     let names = compiled.parameter_names(definition);
     let coefficients = &compiled.specification.coefficients;
     let inputs: Vec<_> = coefficients.iter().map(|c| access(names[c.parameter], &c.field)).collect();
-    let body = body(&compiled.program, &inputs, &names, kernel.span)?;
+    let body = body(&compiled.program, &inputs, &names, &meaning::names(compiled), kernel.span)?;
     let parameters = parameters(definition, compiled);
     let (record, output_type, result) = output(definition, compiled, &body.outputs);
     let (docs, name) = (doc(&documentation(definition, compiled)), ident(&compiled.name));
@@ -60,11 +60,20 @@ fn parameters(definition: &Definition, compiled: &Compiled) -> Vec<TokenStream> 
             _ => false,
         };
         let used = compiled.program.operations.iter().any(used);
-        let name = if used { ident(&parameter.name) } else { format_ident!("_{}", parameter.name) };
+        let name = if used { ident(&parameter.name) } else { unused_name(kernel, &parameter.name) };
         let entity = entity_type(&definition.entities[parameter.entity]);
         quote!(#name: #entity)
     });
     record.into_iter().chain(own).collect()
+}
+
+/// A name with an underscore before it that no other parameter has.
+fn unused_name(kernel: &Kernel, name: &str) -> Ident {
+    let mut unused = format!("_{name}");
+    while kernel.parameters.iter().any(|parameter| parameter.name == unused) {
+        unused.insert(0, '_');
+    }
+    ident(&unused)
 }
 
 /// The struct of a record where the function makes one, the return type, and the expression for the result.

@@ -4,6 +4,7 @@
 mod body;
 mod entity;
 mod kernel;
+mod meaning;
 mod operators;
 mod scalar;
 
@@ -37,6 +38,10 @@ pub fn rust(definition: &Definition, compiled: &[Compiled]) -> syn::Result<Token
         /// inputs, unless something overflows or underflows. `u` is 1.0001 times the unit roundoff, which is 2^-24 for f32
         /// and 2^-53 for f64. `|a|` is the norm of the coefficients of `a` before blades without a null generator, `|a|_0`
         /// that of its other coefficients. Where a type promises that `|a|` is 1 it is left out.
+        ///
+        /// Temporaries are named where they mean something: `cross_e1` is the coefficient of `e1`, up to sign, in the
+        /// commutator (m x - x m)/2 of a sandwich m x ~m, `inner_e1` that in the product that a larger one is made of, m x
+        /// for a sandwich.
         pub mod kernels {
             use super::*;
             #functions

@@ -12,7 +12,10 @@ use std::collections::BTreeSet;
 
 /// All operators and conversions of a definition.
 pub(super) fn operators(definition: &Definition) -> TokenStream {
-    let conversions = definition.kernels.iter().filter(|kernel| is_conversion(kernel)).map(|kernel| {
+    let mut converted = BTreeSet::new();
+    let first =
+        |kernel: &&Kernel| is_conversion(kernel) && converted.insert((kernel.parameters[0].entity, kernel.output));
+    let conversions = definition.kernels.iter().filter(first).map(|kernel| {
         let (from, to) = (kernel.parameters[0].entity, kernel.output);
         let (from, to) = (entity_type(&definition.entities[from]), entity_type(&definition.entities[to]));
         let name = ident(&kernel.name);
@@ -63,8 +66,10 @@ fn operator_of(definition: &Definition, kernel: &Kernel) -> Option<Operator> {
     };
     let in_order = matches!((&left.kind, &right.kind), (ExpressionKind::Parameter(0), ExpressionKind::Parameter(1)));
     let scalar = |entity: usize| definition.entities[entity].is_scalar();
-    let built_in =
-        matches!(operator, Operator::Add | Operator::Sub) && a.entity == b.entity && a.entity == kernel.output;
+    let same_type = a.entity == b.entity && a.entity == kernel.output;
+    let built_in = definition.entities[a.entity].is_linear()
+        && (matches!(operator, Operator::Add | Operator::Sub) && same_type
+            || *operator == Operator::Geometric && scalar(b.entity));
     let suitable = in_order && !scalar(a.entity) && (!scalar(b.entity) || *operator == Operator::Geometric);
     (suitable && !built_in && kernel.analytic.is_none() && kernel.statements.is_empty()).then_some(*operator)
 }

@@ -55,6 +55,7 @@ pub(super) fn module(definition: &Definition) -> TokenStream {
     }
 }
 
+/// The functions are named by their full path, so that a crate without std is refused and not sent into a recursion.
 fn implementation(float: TokenStream) -> TokenStream {
     quote! {
         impl Scalar for #float {
@@ -67,19 +68,19 @@ fn implementation(float: TokenStream) -> TokenStream {
 
         impl Real for #float {
             fn sqrt(self) -> Self {
-                self.sqrt()
+                std::primitive::#float::sqrt(self)
             }
             fn sin_cos(self) -> (Self, Self) {
-                self.sin_cos()
+                std::primitive::#float::sin_cos(self)
             }
             fn atan2(self, x: Self) -> Self {
-                self.atan2(x)
+                std::primitive::#float::atan2(self, x)
             }
             fn abs(self) -> Self {
-                self.abs()
+                std::primitive::#float::abs(self)
             }
             fn is_finite(self) -> bool {
-                self.is_finite()
+                std::primitive::#float::is_finite(self)
             }
         }
     }

@@ -73,6 +73,11 @@ impl Entity {
         self.name == Self::SCALAR
     }
 
+    /// Whether the type is a linear space: every coefficient free, nothing promised.
+    pub fn is_linear(&self) -> bool {
+        self.statements.is_empty() && self.fields().count() == self.components.len() && !self.is_scalar()
+    }
+
     /// The components that are fields, with the fields' names.
     pub fn fields(&self) -> impl Iterator<Item = (&str, &Component)> {
         self.components.iter().filter_map(|component| match &component.value {

@@ -88,3 +88,15 @@ pub struct Program {
     /// The value of every field of the output.
     pub outputs: Vec<Value>,
 }
+
+impl Program {
+    /// The first number in the program that emitted code cannot name: its numerator or denominator needs more than 32 bits.
+    pub fn unnameable_number(&self) -> Option<Rational> {
+        let fits = |part: i128| i32::try_from(part).is_ok();
+        let numbers = self.operations.iter().filter_map(|operation| match operation {
+            Operation::Constant(number) | Operation::Quotient(_, _, number) => Some(*number),
+            _ => None,
+        });
+        numbers.into_iter().find(|number| !fits(number.abs().numerator()) || !fits(number.denominator()))
+    }
+}
