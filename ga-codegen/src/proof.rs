@@ -150,6 +150,13 @@ pub fn prove_evaluation(program: &Program, polynomials: &[Polynomial], inputs: u
     Ok(Proof::Exact)
 }
 
+/// Every value of a program of ring operations, as a polynomial in its inputs; `None` for another program.
+pub(crate) fn evaluate_polynomials(program: &Program, inputs: usize) -> Option<Vec<Polynomial>> {
+    let inputs: Vec<_> = (0..inputs).map(|symbol| Polynomial::symbol(symbol as Symbol)).collect();
+    let all = Program { operations: program.operations.clone(), outputs: (0..program.operations.len()).collect() };
+    all.evaluate(&PolynomialDomain, &inputs).ok()
+}
+
 /// The order to which the series of a program are compared: beyond its degree, where roots, quotients and functions count
 /// as degree 1, so that nothing that sums and products make of the inputs is overlooked.
 fn order(program: &Program) -> Result<usize, Refutation> {
@@ -171,13 +178,6 @@ fn order(program: &Program) -> Result<usize, Refutation> {
         return Err(Refutation::Undefined(text));
     }
     Ok(ORDER.max(degree + 1))
-}
-
-/// Every value of a program of ring operations, as a polynomial in its inputs; `None` for another program.
-pub(crate) fn evaluate_polynomials(program: &Program, inputs: usize) -> Option<Vec<Polynomial>> {
-    let inputs: Vec<_> = (0..inputs).map(|symbol| Polynomial::symbol(symbol as Symbol)).collect();
-    let all = Program { operations: program.operations.clone(), outputs: (0..program.operations.len()).collect() };
-    all.evaluate(&PolynomialDomain, &inputs).ok()
 }
 
 /// The exponential series of a bivector, and the ring of its coefficients.

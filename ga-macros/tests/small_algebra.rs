@@ -58,7 +58,7 @@ fn the_exponential_turns_counter_clockwise_by_its_angle() {
     let quarter = kernels::rotor(Bivector::new(0.0, 0.0, PI / 2.0));
     assert_near(kernels::turn(quarter, Vector::new(1.0, 0.0, 0.0)).to_array(), [0.0, 1.0, 0.0]);
     assert_near(kernels::turn(quarter, Vector::new(0.0, 1.0, 5.0)).to_array(), [-1.0, 0.0, 5.0]);
-    assert!(quarter.is_unit(TOLERANCE));
+    assert!(quarter.satisfies_relations(TOLERANCE));
     assert_eq!(kernels::rotor(Bivector::new(0.0, 0.0, 0.0)), Rotor::IDENTITY);
 }
 

@@ -23,6 +23,27 @@ impl<T: Scalar> EvenMultivector<T> {
 }
 
 impl<T: Real> EvenMultivector<T> {
+    /// The element whose product with this one, on either side, is 1: ~m over m ~m.
+    ///
+    /// `None` where the norm, that of the Euclidean part, is 0, or something is not finite.
+    ///
+    /// ```
+    /// use pga_motor::f64::EvenMultivector;
+    ///
+    /// let even = EvenMultivector::new(1.0, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0);
+    /// let inverse = EvenMultivector::new(0.5, -0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+    /// assert_eq!(even.inverse(), Some(inverse));
+    /// assert_eq!(even * inverse, EvenMultivector::IDENTITY);
+    /// assert_eq!(EvenMultivector::new(0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0).inverse(), None);
+    /// ```
+    pub fn inverse(self) -> Option<Self> {
+        let largest = magnitude::largest([self.s, self.e23, self.e31, self.e12])?;
+        let scaled = self / largest;
+        let squared = kernels::even_norm_squared(scaled);
+        let inverse = kernels::even_adjugate(scaled) / (squared * squared) / largest;
+        inverse.is_finite().then_some(inverse)
+    }
+
     /// The norm of the Euclidean part (s, e23, e31, e12).
     #[inline]
     pub fn norm(self) -> T {
@@ -42,6 +63,6 @@ impl<T: Real> EvenMultivector<T> {
     /// Whether this is a motor: both relations of [`Motor`] hold to an absolute `tolerance`. False for NaN.
     #[inline]
     pub fn is_unit(self, tolerance: T) -> bool {
-        Motor::from(self.to_array()).is_unit(tolerance)
+        Motor::from(self.to_array()).satisfies_relations(tolerance)
     }
 }

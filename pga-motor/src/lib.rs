@@ -30,7 +30,8 @@
 //! - Right-handed, counter-clockwise, column vectors, as in glam and glTF. Angles are in radians, lengths in the
 //!   caller's unit. The rotor of angle t about the unit axis (x, y, z) is cos(t/2) - sin(t/2) (x e23 + y e31 + z e12);
 //!   the translator by (x, y, z) is 1 - (x e01 + y e02 + z e03)/2.
-//! - Operators: `*` geometric product, `^` meet, `&` join, `|` inner product, `>>` sandwich.
+//! - Operators: `*` geometric product, `^` meet, `&` join, `|` inner product, `>>` sandwich. A product that is 0 whatever
+//!   its factors has no operator: `plane & plane`, `point ^ point`, `line ^ point`, `point | direction` and the like.
 //! - Types are promises: a [`Motor`] is unit and an [`EvenMultivector`] need not be, likewise [`UnitLine`] and
 //!   [`Line`], [`UnitPlane`] and [`Plane`]. What needs a unit takes a unit; `normalize` leads there and answers `None`
 //!   where there is no way. `new` and the public fields leave the promise to the caller, and `is_unit` checks it.
@@ -57,21 +58,24 @@ pub mod pga2d;
 mod plane;
 mod point;
 mod precision;
+mod products;
 mod rotor;
 pub mod scalar;
 pub mod skeleton;
+mod slices;
 mod translator;
 
 pub use algebra::*;
-pub use motor::LengthMismatch;
+pub use kernels::{DirectionMatrix, LineMatrix, Matrix, PlaneMatrix};
 pub use scalar::{Real, Scalar};
+pub use slices::LengthMismatch;
 
 /// The types in single precision: `pga_motor::f32::Motor` is `pga_motor::Motor<f32>`. Those of the plane are in
 /// [`pga2d::f32`].
 pub mod f32 {
     crate::precision::aliases! {
         f32: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
-        OddMultivector Pseudoscalar
+        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix
     }
     crate::precision::aliases! { f32 in skeleton: Joint Pose Skeleton }
 }
@@ -81,7 +85,7 @@ pub mod f32 {
 pub mod f64 {
     crate::precision::aliases! {
         f64: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
-        OddMultivector Pseudoscalar
+        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix
     }
     crate::precision::aliases! { f64 in skeleton: Joint Pose Skeleton }
 }

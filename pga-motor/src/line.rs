@@ -41,6 +41,32 @@ impl<T: Scalar> Line<T> {
 }
 
 impl<T: Real> Line<T> {
+    /// The screw whose product with this one, on either side, is 1: ~l over l ~l. Of a line it is the line running the
+    /// other way, over the square of the norm.
+    ///
+    /// `None` where the norm is 0 (a line at infinity), or something is not finite.
+    ///
+    /// ```
+    /// use pga_motor::f64::Line;
+    ///
+    /// let line = Line::new(0.0, 0.0, 2.0, 4.0, 0.0, 0.0);
+    /// assert_eq!(line.inverse(), Some(Line::new(0.0, 0.0, -0.5, -1.0, 0.0, 0.0)));
+    /// assert_eq!(Line::new(0.0, 0.0, 0.0, 4.0, 0.0, 0.0).inverse(), None);
+    /// ```
+    pub fn inverse(self) -> Option<Self> {
+        let largest = magnitude::largest(self.direction().to_array())?;
+        let scaled = self / largest;
+        let squared = kernels::line_norm_squared(scaled);
+        let inverse = kernels::line_adjugate(scaled) / (squared * squared) / largest;
+        inverse.is_finite().then_some(inverse)
+    }
+
+    /// Whether this is a unit line: both relations of [`UnitLine`] hold to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        UnitLine::from(self.to_array()).satisfies_relations(tolerance)
+    }
+
     /// The length of the direction (e23, e31, e12): of the join of two points their distance.
     #[inline]
     pub fn norm(self) -> T {
@@ -101,6 +127,30 @@ impl<T: Scalar> UnitLine<T> {
         kernels::line_direction(self.into())
     }
 
+    /// ~l: the same line running the other way.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::unit_line_reverse(self)
+    }
+
+    /// The line whose product with this one is 1. A unit line is of unit norm, so this is the reverse.
+    #[inline]
+    pub fn inverse(self) -> Self {
+        self.reverse()
+    }
+
+    /// The right complement: X ^ X.dual() is e0123 for every basis blade X. Direction and moment change places.
+    #[inline]
+    pub fn dual(self) -> Line<T> {
+        Line::from(self).dual()
+    }
+
+    /// The inverse of [`Line::dual`].
+    #[inline]
+    pub fn undual(self) -> Line<T> {
+        Line::from(self).undual()
+    }
+
     /// The shadow of the line on a plane, along the plane's normal; of length the cosine of the angle to the plane.
     #[inline]
     pub fn project_onto_plane(self, plane: UnitPlane<T>) -> Line<T> {
@@ -116,6 +166,19 @@ impl<T: Scalar> UnitLine<T> {
 
 /// Constructors, distances in the caller's unit of length, angles in radians.
 impl<T: Real> UnitLine<T> {
+    /// Whether the promises of the type, a direction of length 1 and the Pluecker relation, hold to an absolute
+    /// `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        self.satisfies_relations(tolerance)
+    }
+
+    /// The length of the moment (e01, e02, e03): the distance from the origin.
+    #[inline]
+    pub fn ideal_norm(self) -> T {
+        Line::from(self).ideal_norm()
+    }
+
     /// The line through two points, directed from the first to the second; `None` where they coincide or are not
     /// finite.
     ///
@@ -166,6 +229,24 @@ impl<T: Real> UnitLine<T> {
         } else {
             kernels::line_meet_line(a, b).e0123.abs() / sine
         }
+    }
+
+    /// The distance between a line and a plane: 0 where they meet, the distance of each point of the line where the two
+    /// are parallel. Never negative.
+    ///
+    /// Lines that are parallel to rounding (the sine of the angle to the plane is at most 8 epsilon) count as parallel.
+    ///
+    /// ```
+    /// use pga_motor::f64::{Direction, Point, UnitLine, UnitPlane};
+    ///
+    /// let ground = UnitPlane::from_point_and_normal(Point::ORIGIN, Direction::Z).unwrap();
+    /// let at = |direction| UnitLine::from_point_and_direction(Point::new(5.0, 6.0, -2.0), direction).unwrap();
+    /// assert_eq!(at(Direction::X).distance_to_plane(ground), 2.0);
+    /// assert_eq!(at(Direction::new(1.0, 0.0, 0.1)).distance_to_plane(ground), 0.0);
+    /// ```
+    pub fn distance_to_plane(self, plane: UnitPlane<T>) -> T {
+        let meet = kernels::plane_meet_line(plane.into(), self.into());
+        if meet.norm() > T::EPSILON * T::from_ratio(8, 1) { T::ZERO } else { meet.ideal_norm() }
     }
 
     /// The angle between the directions of two lines, in [0, pi], wherever the lines are.

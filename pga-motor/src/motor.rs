@@ -1,35 +1,11 @@
 //! Rigid motions.
 
+use crate::kernels::Matrix;
 use crate::{
-    Direction, Line, Motor, Plane, Point, ProjectivePoint, Real, Rotor, Scalar, Translator, UnitLine, UnitPlane,
-    kernels,
+    Direction, EvenMultivector, LengthMismatch, Line, Motor, Plane, Point, ProjectivePoint, Real, Rotor, Scalar,
+    Translator, UnitLine, UnitPlane, kernels, slices,
 };
-use core::fmt;
 use core::ops::Shr;
-
-/// Two slices that should be of the same length are not.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LengthMismatch {
-    /// The number of points to transform.
-    pub points: usize,
-    /// The number of places for results.
-    pub results: usize,
-}
-
-impl LengthMismatch {
-    pub(crate) fn check<P, R>(points: &[P], results: &[R]) -> Result<(), Self> {
-        let (points, results) = (points.len(), results.len());
-        if points == results { Ok(()) } else { Err(Self { points, results }) }
-    }
-}
-
-impl fmt::Display for LengthMismatch {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "expected as many places for results as there are points, {}, found {}", self.points, self.results)
-    }
-}
-
-impl core::error::Error for LengthMismatch {}
 
 /// Motors from their parts, and back. `a * b` is the motion b followed by the motion a.
 impl<T: Scalar> Motor<T> {
@@ -61,6 +37,18 @@ impl<T: Scalar> Motor<T> {
     #[inline]
     pub fn inverse(self) -> Self {
         self.reverse()
+    }
+
+    /// The right complement: X ^ X.dual() is e0123 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> EvenMultivector<T> {
+        EvenMultivector::from(self).dual()
+    }
+
+    /// The inverse of [`EvenMultivector::dual`].
+    #[inline]
+    pub fn undual(self) -> EvenMultivector<T> {
+        EvenMultivector::from(self).undual()
     }
 }
 
@@ -139,29 +127,119 @@ impl<T: Scalar> Motor<T> {
     pub fn transform_motor(self, motor: Motor<T>) -> Motor<T> {
         kernels::motor_transform_motor(self, motor)
     }
+}
+
+/// Many things at once. What the motor determines is worked out once, as a matrix, so from the second item on this is
+/// faster than one by one; results may differ from those in the last digits.
+///
+/// ```
+/// use pga_motor::f64::{Direction, Motor, Point, Translator};
+///
+/// let motor = Motor::from(Translator::from_vector(Direction::X));
+/// let mut points = [Point::ORIGIN, Point::new(0.0, 2.0, 0.0)];
+/// motor.transform_points_in_place(&mut points);
+/// assert_eq!(points, [Point::new(1.0, 0.0, 0.0), Point::new(1.0, 2.0, 0.0)]);
+/// ```
+impl<T: Scalar> Motor<T> {
+    /// The matrix by which the motion acts on points.
+    #[inline]
+    pub fn to_matrix(self) -> Matrix<T> {
+        kernels::motor_to_matrix(self)
+    }
 
     /// Writes where the motion carries each point into the place with the same index.
     ///
     /// # Errors
     /// Slices of different lengths; then nothing is written.
     pub fn transform_points(self, points: &[Point<T>], results: &mut [Point<T>]) -> Result<(), LengthMismatch> {
-        LengthMismatch::check(points, results)?;
-        for (result, point) in results.iter_mut().zip(points) {
-            *result = self.transform_point(*point);
-        }
-        Ok(())
+        let matrix = kernels::motor_to_matrix(self);
+        slices::map(points, results, |point| kernels::matrix_apply_point(matrix, point))
     }
 
     /// Moves each point.
     pub fn transform_points_in_place(self, points: &mut [Point<T>]) {
-        for point in points {
-            *point = self.transform_point(*point);
-        }
+        let matrix = kernels::motor_to_matrix(self);
+        slices::map_in_place(points, |point| kernels::matrix_apply_point(matrix, point));
+    }
+
+    /// Writes where the motion carries each direction into the place with the same index.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    pub fn transform_directions(
+        self,
+        directions: &[Direction<T>],
+        results: &mut [Direction<T>],
+    ) -> Result<(), LengthMismatch> {
+        let matrix = kernels::motor_to_direction_matrix(self);
+        slices::map(directions, results, |direction| kernels::matrix_apply_direction(matrix, direction))
+    }
+
+    /// Turns each direction.
+    pub fn transform_directions_in_place(self, directions: &mut [Direction<T>]) {
+        let matrix = kernels::motor_to_direction_matrix(self);
+        slices::map_in_place(directions, |direction| kernels::matrix_apply_direction(matrix, direction));
+    }
+
+    /// Writes where the motion carries each line or screw into the place with the same index.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    pub fn transform_lines(self, lines: &[Line<T>], results: &mut [Line<T>]) -> Result<(), LengthMismatch> {
+        let matrix = kernels::motor_to_line_matrix(self);
+        slices::map(lines, results, |line| kernels::matrix_apply_line(matrix, line))
+    }
+
+    /// Moves each line or screw.
+    pub fn transform_lines_in_place(self, lines: &mut [Line<T>]) {
+        let matrix = kernels::motor_to_line_matrix(self);
+        slices::map_in_place(lines, |line| kernels::matrix_apply_line(matrix, line));
+    }
+
+    /// Writes where the motion carries each plane into the place with the same index.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    pub fn transform_planes(self, planes: &[Plane<T>], results: &mut [Plane<T>]) -> Result<(), LengthMismatch> {
+        let matrix = kernels::motor_to_plane_matrix(self);
+        slices::map(planes, results, |plane| kernels::matrix_apply_plane(matrix, plane))
+    }
+
+    /// Moves each plane.
+    pub fn transform_planes_in_place(self, planes: &mut [Plane<T>]) {
+        let matrix = kernels::motor_to_plane_matrix(self);
+        slices::map_in_place(planes, |plane| kernels::matrix_apply_plane(matrix, plane));
+    }
+}
+
+impl<T: Scalar> Matrix<T> {
+    /// The columns of the 4 x 4 matrix that acts on column vectors (x, y, z, 1): where the axes' directions and the
+    /// origin go. The same layout as in glam, OpenGL and glTF.
+    #[inline]
+    pub fn to_columns(self) -> [[T; 4]; 4] {
+        [
+            [self.x_x, self.y_x, self.z_x, T::ZERO],
+            [self.x_y, self.y_y, self.z_y, T::ZERO],
+            [self.x_z, self.y_z, self.z_z, T::ZERO],
+            [self.x_1, self.y_1, self.z_1, T::ONE],
+        ]
+    }
+
+    /// Where the motion carries a point.
+    #[inline]
+    pub fn transform_point(self, point: Point<T>) -> Point<T> {
+        kernels::matrix_apply_point(self, point)
     }
 }
 
 /// Screws, the exponential's inverse.
 impl<T: Real> Motor<T> {
+    /// Whether the promises of the type, unit norm and the Study quadric, hold to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        self.satisfies_relations(tolerance)
+    }
+
     /// The turn by `angle` about a line, right-handed, and the slide by `distance` along it; angle in radians, distance
     /// in the caller's unit of length. The line may be off the origin and of any length other than 0; of a screw the
     /// axis is taken, as [`Line::normalize`] does.

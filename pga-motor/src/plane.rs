@@ -3,6 +3,12 @@
 use crate::{Direction, Line, Plane, Point, ProjectivePoint, Real, Scalar, UnitLine, UnitPlane, kernels, magnitude};
 
 impl<T: Scalar> Plane<T> {
+    /// ~p: the plane itself, as with every vector.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::plane_reverse(self)
+    }
+
     /// The normal (e1, e2, e3), as long as the plane's norm.
     #[inline]
     pub fn normal(self) -> Direction<T> {
@@ -35,6 +41,29 @@ impl<T: Scalar> Plane<T> {
 }
 
 impl<T: Real> Plane<T> {
+    /// The plane whose product with this one is 1: p over the square of its norm.
+    ///
+    /// `None` where the norm is 0 (the plane at infinity), or something is not finite.
+    ///
+    /// ```
+    /// use pga_motor::f64::Plane;
+    ///
+    /// assert_eq!(Plane::new(0.0, 2.0, 0.0, 3.0).inverse(), Some(Plane::new(0.0, 0.5, 0.0, 0.75)));
+    /// assert_eq!(Plane::new(0.0, 0.0, 0.0, 3.0).inverse(), None);
+    /// ```
+    pub fn inverse(self) -> Option<Self> {
+        let largest = magnitude::largest(self.normal().to_array())?;
+        let scaled = self / largest;
+        let inverse = scaled / kernels::plane_norm_squared(scaled) / largest;
+        inverse.is_finite().then_some(inverse)
+    }
+
+    /// Whether this is a unit plane: the relation of [`UnitPlane`] holds to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        UnitPlane::from(self.to_array()).satisfies_relations(tolerance)
+    }
+
     /// The length of the normal (e1, e2, e3).
     #[inline]
     pub fn norm(self) -> T {
@@ -70,6 +99,30 @@ impl<T: Scalar> UnitPlane<T> {
     #[inline]
     pub fn normal(self) -> Direction<T> {
         kernels::plane_normal(self.into())
+    }
+
+    /// ~p: the plane itself, as with every vector.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::unit_plane_reverse(self)
+    }
+
+    /// The plane whose product with this one is 1: the plane itself, as a second reflection undoes the first.
+    #[inline]
+    pub fn inverse(self) -> Self {
+        self.reverse()
+    }
+
+    /// The right complement, a point of weight e0: X ^ X.dual() is e0123 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> ProjectivePoint<T> {
+        Plane::from(self).dual()
+    }
+
+    /// The inverse of [`ProjectivePoint::dual`].
+    #[inline]
+    pub fn undual(self) -> ProjectivePoint<T> {
+        Plane::from(self).undual()
     }
 
     /// The parallel plane through a point.
@@ -126,6 +179,18 @@ impl<T: Scalar> UnitPlane<T> {
 
 /// Constructors, distances in the caller's unit of length, angles in radians.
 impl<T: Real> UnitPlane<T> {
+    /// Whether the promise of the type, a normal of length 1, holds to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        self.satisfies_relations(tolerance)
+    }
+
+    /// The magnitude of e0: the distance from the origin.
+    #[inline]
+    pub fn ideal_norm(self) -> T {
+        Plane::from(self).ideal_norm()
+    }
+
     /// The plane through a point with a normal of any length other than 0; `None` where the normal is 0 or something is
     /// not finite.
     pub fn from_point_and_normal(point: Point<T>, normal: Direction<T>) -> Option<Self> {
@@ -157,6 +222,35 @@ impl<T: Real> UnitPlane<T> {
     #[inline]
     pub fn signed_distance_to_point(self, point: Point<T>) -> T {
         kernels::plane_join_point(self.into(), point)
+    }
+
+    /// The distance of a point; never negative.
+    #[inline]
+    pub fn distance_to_point(self, point: Point<T>) -> T {
+        self.signed_distance_to_point(point).abs()
+    }
+
+    /// The distance between the plane and a line: 0 where they meet; see [`UnitLine::distance_to_plane`].
+    #[inline]
+    pub fn distance_to_line(self, line: UnitLine<T>) -> T {
+        line.distance_to_plane(self)
+    }
+
+    /// The distance between two planes: 0 where they meet, the distance of one from the other where they are parallel,
+    /// whichever way their normals point. Never negative.
+    ///
+    /// Planes that are parallel to rounding (the sine of the angle between them is at most 8 epsilon) count as parallel.
+    ///
+    /// ```
+    /// use pga_motor::f64::UnitPlane;
+    ///
+    /// let (floor, ceiling) = (UnitPlane::new(0.0, 0.0, 1.0, 0.0), UnitPlane::new(0.0, 0.0, -1.0, 2.5));
+    /// assert_eq!(floor.distance_to_plane(ceiling), 2.5);
+    /// assert_eq!(floor.distance_to_plane(UnitPlane::new(0.0, 0.6, 0.8, 7.0)), 0.0);
+    /// ```
+    pub fn distance_to_plane(self, other: Self) -> T {
+        let meet = kernels::plane_meet_plane(self.into(), other.into());
+        if meet.norm() > T::EPSILON * T::from_ratio(8, 1) { T::ZERO } else { meet.ideal_norm() }
     }
 
     /// The angle between the normals of two planes, in [0, pi].

@@ -6,6 +6,24 @@ impl<T: Scalar> Point<T> {
     /// (0, 0, 0)
     pub const ORIGIN: Self = Self::new(T::ZERO, T::ZERO, T::ZERO);
 
+    /// ~p: the point with weight -1, as all trivectors change their sign.
+    #[inline]
+    pub fn reverse(self) -> ProjectivePoint<T> {
+        kernels::point_reverse(self)
+    }
+
+    /// The right complement, a plane: X ^ X.dual() is e0123 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> Plane<T> {
+        kernels::point_dual(self)
+    }
+
+    /// The inverse of [`Plane::dual`].
+    #[inline]
+    pub fn undual(self) -> Plane<T> {
+        kernels::point_undual(self)
+    }
+
     /// The foot of the perpendicular from the point on a plane.
     #[inline]
     pub fn project_onto_plane(self, plane: UnitPlane<T>) -> Self {
@@ -44,6 +62,12 @@ impl<T: Real> Point<T> {
         plane.signed_distance_to_point(self)
     }
 
+    /// The distance from a plane; never negative.
+    #[inline]
+    pub fn distance_to_plane(self, plane: UnitPlane<T>) -> T {
+        plane.distance_to_point(self)
+    }
+
     /// The distance from a line; never negative.
     #[inline]
     pub fn distance_to_line(self, line: UnitLine<T>) -> T {
@@ -58,6 +82,24 @@ impl<T: Scalar> Direction<T> {
     pub const Y: Self = Self::new(T::ZERO, T::ONE, T::ZERO);
     /// (0, 0, 1)
     pub const Z: Self = Self::new(T::ZERO, T::ZERO, T::ONE);
+
+    /// ~d: the opposite direction, as all trivectors change their sign.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::direction_reverse(self)
+    }
+
+    /// The right complement, a plane: X ^ X.dual() is e0123 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> Plane<T> {
+        kernels::direction_dual(self)
+    }
+
+    /// The inverse of [`Plane::dual`].
+    #[inline]
+    pub fn undual(self) -> Plane<T> {
+        kernels::direction_undual(self)
+    }
 
     /// The cosine of the angle between two directions, times both norms.
     #[inline]
@@ -74,6 +116,12 @@ impl<T: Scalar> Direction<T> {
 }
 
 impl<T: Real> Direction<T> {
+    /// Whether the square of the length is 1 to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        (kernels::direction_norm_squared(self) - T::ONE).abs() <= tolerance
+    }
+
     /// The length; it overflows or underflows only where the length itself does.
     #[inline]
     pub fn norm(self) -> T {

@@ -1,8 +1,8 @@
 //! Rotations about axes through the origin.
 
 use crate::{
-    Direction, EvenMultivector, Line, Motor, Plane, Point, ProjectivePoint, Real, Rotor, Scalar, UnitLine, UnitPlane,
-    kernels, magnitude,
+    Direction, EvenMultivector, LengthMismatch, Line, Motor, Plane, Point, ProjectivePoint, Real, Rotor, Scalar,
+    UnitLine, UnitPlane, kernels, magnitude, slices,
 };
 use core::ops::Shr;
 
@@ -64,6 +64,14 @@ impl<T: Real> Rotor<T> {
     }
 }
 
+impl<T: Real> Rotor<T> {
+    /// Whether the promise of the type, unit norm, holds to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        self.satisfies_relations(tolerance)
+    }
+}
+
 impl<T: Scalar> Rotor<T> {
     /// The unit quaternion w + x i + y j + z k of the same rotation, as `[x, y, z, w]`.
     #[inline]
@@ -81,6 +89,18 @@ impl<T: Scalar> Rotor<T> {
     #[inline]
     pub fn inverse(self) -> Self {
         self.reverse()
+    }
+
+    /// The right complement: X ^ X.dual() is e0123 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> EvenMultivector<T> {
+        EvenMultivector::from(self).dual()
+    }
+
+    /// The inverse of [`EvenMultivector::dual`].
+    #[inline]
+    pub fn undual(self) -> EvenMultivector<T> {
+        EvenMultivector::from(self).undual()
     }
 
     /// r x ~r for anything that a rotor can act on; the same as `r >> x`.
@@ -137,6 +157,19 @@ impl<T: Scalar> Rotor<T> {
     /// r m ~r: the motion m about the place to which the rotation carries it.
     #[inline]
     pub fn transform_motor(self, motor: Motor<T>) -> Motor<T> {
-        Motor::from(self).transform_motor(motor)
+        kernels::rotor_transform_motor(self, motor)
+    }
+
+    /// Writes where the rotation carries each point into the place with the same index.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    pub fn transform_points(self, points: &[Point<T>], results: &mut [Point<T>]) -> Result<(), LengthMismatch> {
+        slices::map(points, results, |point| self.transform_point(point))
+    }
+
+    /// Moves each point.
+    pub fn transform_points_in_place(self, points: &mut [Point<T>]) {
+        slices::map_in_place(points, |point| self.transform_point(point));
     }
 }

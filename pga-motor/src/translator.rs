@@ -1,6 +1,9 @@
 //! Translations.
 
-use crate::{Direction, Line, Motor, Plane, Point, ProjectivePoint, Scalar, Translator, UnitLine, UnitPlane, kernels};
+use crate::{
+    Direction, EvenMultivector, LengthMismatch, Line, Motor, Plane, Point, ProjectivePoint, Scalar, Translator,
+    UnitLine, UnitPlane, kernels, slices,
+};
 use core::ops::Shr;
 
 /// Lengths are in the caller's unit.
@@ -35,6 +38,18 @@ impl<T: Scalar> Translator<T> {
     #[inline]
     pub fn inverse(self) -> Self {
         self.reverse()
+    }
+
+    /// The right complement: X ^ X.dual() is e0123 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> EvenMultivector<T> {
+        EvenMultivector::from(self).dual()
+    }
+
+    /// The inverse of [`EvenMultivector::dual`].
+    #[inline]
+    pub fn undual(self) -> EvenMultivector<T> {
+        EvenMultivector::from(self).undual()
     }
 
     /// t x ~t for anything that a translator can act on; the same as `t >> x`.
@@ -91,6 +106,19 @@ impl<T: Scalar> Translator<T> {
     /// t m ~t: the motion m about the place to which the translation carries it.
     #[inline]
     pub fn transform_motor(self, motor: Motor<T>) -> Motor<T> {
-        Motor::from(self).transform_motor(motor)
+        kernels::translator_transform_motor(self, motor)
+    }
+
+    /// Writes where the translation carries each point into the place with the same index.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    pub fn transform_points(self, points: &[Point<T>], results: &mut [Point<T>]) -> Result<(), LengthMismatch> {
+        slices::map(points, results, |point| self.transform_point(point))
+    }
+
+    /// Moves each point.
+    pub fn transform_points_in_place(self, points: &mut [Point<T>]) {
+        slices::map_in_place(points, |point| self.transform_point(point));
     }
 }

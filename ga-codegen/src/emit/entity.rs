@@ -62,7 +62,7 @@ fn construction(entity: &Entity) -> TokenStream {
     let promise = if entity.statements.is_empty() {
         String::new()
     } else {
-        " The caller keeps the promise of the type; [`Self::is_unit`] checks it.".to_owned()
+        " The caller keeps the promise of the type; [`Self::satisfies_relations`] checks it.".to_owned()
     };
     let text = format!(" The coefficients in the order of the fields.{promise}");
     let many = (fields.len() > 7).then(|| quote!(#[allow(clippy::too_many_arguments)]));
@@ -341,7 +341,7 @@ fn relation_errors(entity: &Entity) -> syn::Result<TokenStream> {
         impl<T: Real> #name<T> {
             /// Whether every relation of the type holds to an absolute `tolerance`; false for NaN.
             #[inline]
-            pub fn is_unit(self, tolerance: T) -> bool {
+            pub fn satisfies_relations(self, tolerance: T) -> bool {
                 self.relation_errors().iter().all(|error| error.abs() <= tolerance)
             }
         }

@@ -208,21 +208,14 @@ macro_rules! convert_matrices {
         impl From<Motor<$float>> for $matrix {
             /// The matrix of the motion; its columns are where the axes' directions and the origin go.
             fn from(motor: Motor<$float>) -> Self {
-                let [x, y, z] = [Direction::X, Direction::Y, Direction::Z]
-                    .map(|axis| motor.transform_direction(axis))
-                    .map(|Direction { x, y, z }| [x, y, z, 0.0]);
-                let origin = motor.transform_origin();
-                Self::from_cols_array_2d(&[x, y, z, [origin.x, origin.y, origin.z, 1.0]])
+                Self::from_cols_array_2d(&motor.to_matrix().to_columns())
             }
         }
 
         impl From<Motor<$float>> for $affine {
             /// The matrix of the motion; its columns are where the axes' directions and the origin go.
             fn from(motor: Motor<$float>) -> Self {
-                let [x, y, z] = [Direction::X, Direction::Y, Direction::Z]
-                    .map(|axis| motor.transform_direction(axis))
-                    .map(<[$float; 3]>::from);
-                Self::from_cols_array_2d(&[x, y, z, motor.transform_origin().into()])
+                Self::from_cols_array_2d(&motor.to_matrix().to_columns().map(|[x, y, z, _]| [x, y, z]))
             }
         }
 

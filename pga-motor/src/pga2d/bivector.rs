@@ -4,6 +4,12 @@ use super::{Bivector, Line, Motor, Point, kernels};
 use crate::{Real, Scalar, magnitude};
 
 impl<T: Scalar> Bivector<T> {
+    /// ~b: the negative, as of all bivectors.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::bivector_reverse(self)
+    }
+
     /// The right complement, a line: X ^ X.dual() is e012 for every basis blade X.
     #[inline]
     pub fn dual(self) -> Line<T> {

@@ -1,6 +1,6 @@
 //! Elements of the even subalgebra that need not be motors.
 
-use super::{Bivector, EvenMultivector, Motor, kernels};
+use super::{Bivector, EvenMultivector, Motor, OddMultivector, kernels};
 use crate::{Real, Scalar, magnitude};
 
 impl<T: Scalar> EvenMultivector<T> {
@@ -8,6 +8,18 @@ impl<T: Scalar> EvenMultivector<T> {
     #[inline]
     pub fn reverse(self) -> Self {
         kernels::even_reverse(self)
+    }
+
+    /// The right complement: X ^ X.dual() is e012 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> OddMultivector<T> {
+        kernels::even_dual(self)
+    }
+
+    /// The inverse of [`OddMultivector::dual`].
+    #[inline]
+    pub fn undual(self) -> OddMultivector<T> {
+        kernels::even_undual(self)
     }
 
     /// The bivector part.
@@ -31,10 +43,20 @@ impl<T: Real> EvenMultivector<T> {
         self.bivector().ideal_norm()
     }
 
+    /// The element whose product with this one, on either side, is 1: ~m over the square of the norm.
+    ///
+    /// `None` where the norm, that of the Euclidean part, is 0, or something is not finite.
+    pub fn inverse(self) -> Option<Self> {
+        let largest = magnitude::largest([self.s, self.e12])?;
+        let scaled = self / largest;
+        let inverse = scaled.reverse() / kernels::even_norm_squared(scaled) / largest;
+        inverse.is_finite().then_some(inverse)
+    }
+
     /// Whether this is a motor: the relation of [`Motor`] holds to an absolute `tolerance`. False for NaN.
     #[inline]
     pub fn is_unit(self, tolerance: T) -> bool {
-        Motor::from(self.to_array()).is_unit(tolerance)
+        Motor::from(self.to_array()).satisfies_relations(tolerance)
     }
 
     /// The motor that this is a multiple of. In the plane every even element with a Euclidean part is a multiple of

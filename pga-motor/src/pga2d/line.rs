@@ -4,6 +4,12 @@ use super::{Bivector, Direction, Line, Point, UnitLine, kernels};
 use crate::{Real, Scalar, magnitude};
 
 impl<T: Scalar> Line<T> {
+    /// ~l: the line itself, as with every vector.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::line_reverse(self)
+    }
+
     /// The normal (e1, e2), as long as the line's norm.
     #[inline]
     pub fn normal(self) -> Direction<T> {
@@ -36,6 +42,22 @@ impl<T: Scalar> Line<T> {
 }
 
 impl<T: Real> Line<T> {
+    /// The line whose product with this one is 1: l over the square of its norm.
+    ///
+    /// `None` where the norm is 0 (the line at infinity), or something is not finite.
+    pub fn inverse(self) -> Option<Self> {
+        let largest = magnitude::largest(self.normal().to_array())?;
+        let scaled = self / largest;
+        let inverse = scaled / kernels::line_norm_squared(scaled) / largest;
+        inverse.is_finite().then_some(inverse)
+    }
+
+    /// Whether this is a unit line: the relation of [`UnitLine`] holds to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        UnitLine::from(self.to_array()).satisfies_relations(tolerance)
+    }
+
     /// The length of the normal (e1, e2): of the join of two points their distance.
     #[inline]
     pub fn norm(self) -> T {
@@ -64,6 +86,30 @@ impl<T: Scalar> UnitLine<T> {
     #[inline]
     pub fn normal(self) -> Direction<T> {
         kernels::line_normal(self.into())
+    }
+
+    /// ~l: the line itself, as with every vector.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::unit_line_reverse(self)
+    }
+
+    /// The line whose product with this one is 1: the line itself, as a second reflection undoes the first.
+    #[inline]
+    pub fn inverse(self) -> Self {
+        self.reverse()
+    }
+
+    /// The right complement, a point of weight e0: X ^ X.dual() is e012 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> Bivector<T> {
+        Line::from(self).dual()
+    }
+
+    /// The inverse of [`Bivector::dual`].
+    #[inline]
+    pub fn undual(self) -> Bivector<T> {
+        Line::from(self).undual()
     }
 
     /// Which way the line runs, of length 1; the normal is to its left.
@@ -100,6 +146,18 @@ impl<T: Scalar> UnitLine<T> {
 
 /// Constructors, distances in the caller's unit of length, angles in radians.
 impl<T: Real> UnitLine<T> {
+    /// Whether the promise of the type, a normal of length 1, holds to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        self.satisfies_relations(tolerance)
+    }
+
+    /// The magnitude of e0: the distance from the origin.
+    #[inline]
+    pub fn ideal_norm(self) -> T {
+        Line::from(self).ideal_norm()
+    }
+
     /// The line through two points, directed from the first to the second; `None` where they coincide or are not
     /// finite.
     ///
@@ -125,6 +183,21 @@ impl<T: Real> UnitLine<T> {
     #[inline]
     pub fn signed_distance_to_point(self, point: Point<T>) -> T {
         kernels::line_join_point(self.into(), point)
+    }
+
+    /// The distance of a point; never negative.
+    #[inline]
+    pub fn distance_to_point(self, point: Point<T>) -> T {
+        self.signed_distance_to_point(point).abs()
+    }
+
+    /// The distance between two lines: 0 where they meet, the distance of one from the other where they are parallel,
+    /// whichever way they run. Never negative.
+    ///
+    /// Lines that are parallel to rounding (the sine of the angle between them is at most 8 epsilon) count as parallel.
+    pub fn distance_to_line(self, other: Self) -> T {
+        let meet = kernels::line_meet_line(self.into(), other.into());
+        if meet.norm() > T::EPSILON * T::from_ratio(8, 1) { T::ZERO } else { meet.ideal_norm() }
     }
 
     /// The angle by which the other line is turned from this one, in [-pi, pi], counter-clockwise.

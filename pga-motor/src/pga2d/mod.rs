@@ -2,7 +2,8 @@
 //!
 //! The line a x + b y + c = 0 is `a e1 + b e2 + c e0`; its normal (a, b) is to the left of the way it runs. The point
 //! (x, y) is `e12 + x e20 + y e01`. A motor m carries X to m X ~m, and `b * a` applies a first. The rotor of angle t,
-//! counter-clockwise, is cos(t/2) - sin(t/2) e12; the translator by (x, y) is 1 - (x e01 - y e20)/2.
+//! counter-clockwise, is cos(t/2) - sin(t/2) e12; the translator by (x, y) is 1 - (x e01 - y e20)/2. The operators are
+//! those of 3D; a product that is 0 whatever its factors, as `line & line` or `point ^ point`, has none.
 //!
 //! ```
 //! use pga_motor::pga2d::f64::{Direction, Motor, Point, Rotor, Translator};
@@ -19,7 +20,9 @@ mod bivector;
 mod even;
 mod line;
 mod motor;
+mod odd;
 mod point;
+mod products;
 mod rotor;
 mod translator;
 

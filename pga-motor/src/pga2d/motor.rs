@@ -1,7 +1,9 @@
 //! Rigid motions of the plane.
 
-use super::{Bivector, Direction, Line, Motor, Point, Rotor, Translator, UnitLine, kernels};
-use crate::{LengthMismatch, Real, Scalar};
+use super::{
+    Bivector, Direction, EvenMultivector, Line, Motor, OddMultivector, Point, Rotor, Translator, UnitLine, kernels,
+};
+use crate::{LengthMismatch, Real, Scalar, slices};
 use core::ops::Shr;
 
 /// Motors from their parts, and back. `a * b` is the motion b followed by the motion a.
@@ -34,6 +36,18 @@ impl<T: Scalar> Motor<T> {
     #[inline]
     pub fn inverse(self) -> Self {
         self.reverse()
+    }
+
+    /// The right complement: X ^ X.dual() is e012 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> OddMultivector<T> {
+        EvenMultivector::from(self).dual()
+    }
+
+    /// The inverse of [`OddMultivector::dual`].
+    #[inline]
+    pub fn undual(self) -> OddMultivector<T> {
+        EvenMultivector::from(self).undual()
     }
 }
 
@@ -95,22 +109,22 @@ impl<T: Scalar> Motor<T> {
     /// # Errors
     /// Slices of different lengths; then nothing is written.
     pub fn transform_points(self, points: &[Point<T>], results: &mut [Point<T>]) -> Result<(), LengthMismatch> {
-        LengthMismatch::check(points, results)?;
-        for (result, point) in results.iter_mut().zip(points) {
-            *result = self.transform_point(*point);
-        }
-        Ok(())
+        slices::map(points, results, |point| self.transform_point(point))
     }
 
     /// Moves each point.
     pub fn transform_points_in_place(self, points: &mut [Point<T>]) {
-        for point in points {
-            *point = self.transform_point(*point);
-        }
+        slices::map_in_place(points, |point| self.transform_point(point));
     }
 }
 
 impl<T: Real> Motor<T> {
+    /// Whether the promise of the type, unit norm, holds to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        self.satisfies_relations(tolerance)
+    }
+
     /// The turn about a point by an angle in radians, counter-clockwise: cos(angle/2) - sin(angle/2) p. NaN where
     /// something is not finite.
     ///

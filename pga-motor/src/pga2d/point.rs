@@ -1,11 +1,29 @@
 //! Points and directions.
 
-use super::{Direction, Point, UnitLine, kernels};
+use super::{Bivector, Direction, Line, Point, UnitLine, kernels};
 use crate::{Real, Scalar, magnitude};
 
 impl<T: Scalar> Point<T> {
     /// (0, 0)
     pub const ORIGIN: Self = Self::new(T::ZERO, T::ZERO);
+
+    /// ~p: the point with weight -1, as all bivectors change their sign.
+    #[inline]
+    pub fn reverse(self) -> Bivector<T> {
+        kernels::point_reverse(self)
+    }
+
+    /// The right complement, a line: X ^ X.dual() is e012 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> Line<T> {
+        kernels::point_dual(self)
+    }
+
+    /// The inverse of [`Line::dual`].
+    #[inline]
+    pub fn undual(self) -> Line<T> {
+        kernels::point_undual(self)
+    }
 
     /// The foot of the perpendicular from the point on a line.
     #[inline]
@@ -28,6 +46,12 @@ impl<T: Real> Point<T> {
     pub fn signed_distance_to_line(self, line: UnitLine<T>) -> T {
         line.signed_distance_to_point(self)
     }
+
+    /// The distance from a line; never negative.
+    #[inline]
+    pub fn distance_to_line(self, line: UnitLine<T>) -> T {
+        line.distance_to_point(self)
+    }
 }
 
 impl<T: Scalar> Direction<T> {
@@ -35,6 +59,24 @@ impl<T: Scalar> Direction<T> {
     pub const X: Self = Self::new(T::ONE, T::ZERO);
     /// (0, 1)
     pub const Y: Self = Self::new(T::ZERO, T::ONE);
+
+    /// ~d: the opposite direction, as all bivectors change their sign.
+    #[inline]
+    pub fn reverse(self) -> Self {
+        kernels::direction_reverse(self)
+    }
+
+    /// The right complement, a line: X ^ X.dual() is e012 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> Line<T> {
+        kernels::direction_dual(self)
+    }
+
+    /// The inverse of [`Line::dual`].
+    #[inline]
+    pub fn undual(self) -> Line<T> {
+        kernels::direction_undual(self)
+    }
 
     /// The cosine of the angle between two directions, times both norms.
     #[inline]
@@ -50,6 +92,12 @@ impl<T: Scalar> Direction<T> {
 }
 
 impl<T: Real> Direction<T> {
+    /// Whether the square of the length is 1 to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        (kernels::direction_norm_squared(self) - T::ONE).abs() <= tolerance
+    }
+
     /// The length; it overflows or underflows only where the length itself does.
     #[inline]
     pub fn norm(self) -> T {

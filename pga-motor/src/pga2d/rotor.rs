@@ -1,10 +1,16 @@
 //! Rotations about the origin.
 
-use super::{Direction, Line, Point, Rotor, kernels};
-use crate::{Real, Scalar};
+use super::{Direction, EvenMultivector, Line, Motor, OddMultivector, Point, Rotor, UnitLine, kernels};
+use crate::{LengthMismatch, Real, Scalar, slices};
 use core::ops::Shr;
 
 impl<T: Real> Rotor<T> {
+    /// Whether the promise of the type, unit norm, holds to an absolute `tolerance`. False for NaN.
+    #[inline]
+    pub fn is_unit(self, tolerance: T) -> bool {
+        self.satisfies_relations(tolerance)
+    }
+
     /// The turn by an angle in radians, counter-clockwise: cos(angle/2) - sin(angle/2) e12. NaN for an angle that is
     /// not finite.
     #[inline]
@@ -35,6 +41,18 @@ impl<T: Scalar> Rotor<T> {
         self.reverse()
     }
 
+    /// The right complement: X ^ X.dual() is e012 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> OddMultivector<T> {
+        EvenMultivector::from(self).dual()
+    }
+
+    /// The inverse of [`OddMultivector::dual`].
+    #[inline]
+    pub fn undual(self) -> OddMultivector<T> {
+        EvenMultivector::from(self).undual()
+    }
+
     /// r x ~r for anything that a rotor can act on; the same as `r >> x`.
     #[inline]
     pub fn transform<X>(self, x: X) -> <Self as Shr<X>>::Output
@@ -60,5 +78,30 @@ impl<T: Scalar> Rotor<T> {
     #[inline]
     pub fn transform_line(self, line: Line<T>) -> Line<T> {
         kernels::rotor_transform_line(self, line)
+    }
+
+    /// Where the rotation carries a unit line.
+    #[inline]
+    pub fn transform_unit_line(self, line: UnitLine<T>) -> UnitLine<T> {
+        kernels::rotor_transform_unit_line(self, line)
+    }
+
+    /// The motion m about the place to which the rotation carries it.
+    #[inline]
+    pub fn transform_motor(self, motor: Motor<T>) -> Motor<T> {
+        kernels::rotor_transform_motor(self, motor)
+    }
+
+    /// Writes where the rotation carries each point into the place with the same index.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    pub fn transform_points(self, points: &[Point<T>], results: &mut [Point<T>]) -> Result<(), LengthMismatch> {
+        slices::map(points, results, |point| self.transform_point(point))
+    }
+
+    /// Moves each point.
+    pub fn transform_points_in_place(self, points: &mut [Point<T>]) {
+        slices::map_in_place(points, |point| self.transform_point(point));
     }
 }

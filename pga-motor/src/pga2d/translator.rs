@@ -1,7 +1,7 @@
 //! Translations.
 
-use super::{Direction, Line, Point, Translator, kernels};
-use crate::Scalar;
+use super::{Direction, EvenMultivector, Line, Motor, OddMultivector, Point, Translator, UnitLine, kernels};
+use crate::{LengthMismatch, Scalar, slices};
 use core::ops::Shr;
 
 /// Lengths are in the caller's unit.
@@ -37,6 +37,18 @@ impl<T: Scalar> Translator<T> {
         self.reverse()
     }
 
+    /// The right complement: X ^ X.dual() is e012 for every basis blade X.
+    #[inline]
+    pub fn dual(self) -> OddMultivector<T> {
+        EvenMultivector::from(self).dual()
+    }
+
+    /// The inverse of [`OddMultivector::dual`].
+    #[inline]
+    pub fn undual(self) -> OddMultivector<T> {
+        EvenMultivector::from(self).undual()
+    }
+
     /// t x ~t for anything that a translator can act on; the same as `t >> x`.
     #[inline]
     pub fn transform<X>(self, x: X) -> <Self as Shr<X>>::Output
@@ -62,5 +74,30 @@ impl<T: Scalar> Translator<T> {
     #[inline]
     pub fn transform_line(self, line: Line<T>) -> Line<T> {
         kernels::translator_transform_line(self, line)
+    }
+
+    /// Where the translation carries a unit line.
+    #[inline]
+    pub fn transform_unit_line(self, line: UnitLine<T>) -> UnitLine<T> {
+        kernels::translator_transform_unit_line(self, line)
+    }
+
+    /// The motion m about the place to which the translation carries it.
+    #[inline]
+    pub fn transform_motor(self, motor: Motor<T>) -> Motor<T> {
+        kernels::translator_transform_motor(self, motor)
+    }
+
+    /// Writes where the translation carries each point into the place with the same index.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    pub fn transform_points(self, points: &[Point<T>], results: &mut [Point<T>]) -> Result<(), LengthMismatch> {
+        slices::map(points, results, |point| self.transform_point(point))
+    }
+
+    /// Moves each point.
+    pub fn transform_points_in_place(self, points: &mut [Point<T>]) {
+        slices::map_in_place(points, |point| self.transform_point(point));
     }
 }
