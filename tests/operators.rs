@@ -1,9 +1,9 @@
 //! Every emitted operator and conversion against the naive reference, on exact values.
 //!
 //! Kernels are proved, and the differential tests call them by name. The `impl`s around them are written by the emitter
-//! without a proof: which operator calls which kernel, in which order, and the sums, differences and multiples of linear
-//! types coefficient by coefficient. Here each is called through its operator. The lists below are complete: what a
-//! preset emits is read from its tokens and compared with them.
+//! without a proof: which operator calls which kernel, in which order, and the sums, differences and multiples of
+//! linear types coefficient by coefficient. Here each is called through its operator. The lists below are complete: what
+//! a preset emits is read from its tokens and compared with them.
 
 #[path = "differential/dispatch.rs"]
 #[allow(dead_code, unused_macros)]
@@ -247,8 +247,8 @@ mod pga3d {
     operators! {
         preset "pga3d";
         values [
-            Motor, EvenMultivector, Rotor, Translator, Line, UnitLine, Plane, UnitPlane, Point,
-            Direction, ProjectivePoint, OddMultivector, Pseudoscalar
+            Motor, EvenMultivector, Rotor, Translator, Line, UnitLine, Plane, UnitPlane, Point, Direction,
+            ProjectivePoint, OddMultivector, Pseudoscalar
         ]
         binary {
             Direction & [Direction, Line, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
@@ -258,27 +258,36 @@ mod pga3d {
             Direction / [Scalar];
             Direction ^ [Plane, UnitPlane];
             Direction | [Line, Plane, UnitLine, UnitPlane];
-            EvenMultivector * [EvenMultivector, Motor, OddMultivector, Scalar];
+            EvenMultivector * [
+                EvenMultivector, Line, Motor, OddMultivector, Plane, Rotor, Scalar, Translator, UnitLine,
+                UnitPlane
+            ];
             EvenMultivector + [EvenMultivector];
             EvenMultivector - [EvenMultivector];
             EvenMultivector / [Scalar];
             Line & [Direction, Line, Point, ProjectivePoint, UnitLine];
-            Line * [Line, Plane, Point, Scalar, UnitLine, UnitPlane];
+            Line * [EvenMultivector, Line, Motor, Plane, Point, Scalar, UnitLine, UnitPlane];
             Line + [Line];
             Line - [Line];
             Line / [Scalar];
             Line ^ [Line, Plane, UnitLine, UnitPlane];
             Line | [Direction, Line, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
-            Motor * [EvenMultivector, Motor, OddMultivector, Rotor, Scalar, Translator];
+            Motor * [
+                EvenMultivector, Line, Motor, OddMultivector, Plane, Rotor, Scalar, Translator, UnitLine,
+                UnitPlane
+            ];
             Motor + [Motor];
             Motor - [Motor];
-            Motor >> [Direction, Line, Motor, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
+            Motor >> [
+                Direction, EvenMultivector, Line, Motor, OddMultivector, Plane, Point, ProjectivePoint,
+                Rotor, Translator, UnitLine, UnitPlane
+            ];
             OddMultivector * [EvenMultivector, Motor, OddMultivector, Scalar];
             OddMultivector + [OddMultivector];
             OddMultivector - [OddMultivector];
             OddMultivector / [Scalar];
             Plane & [Direction, Point, ProjectivePoint];
-            Plane * [Line, Plane, Point, Scalar, UnitLine, UnitPlane];
+            Plane * [EvenMultivector, Line, Motor, Plane, Point, Rotor, Scalar, Translator, UnitLine, UnitPlane];
             Plane + [Plane];
             Plane - [Plane];
             Plane / [Scalar];
@@ -289,28 +298,31 @@ mod pga3d {
             Point + [Direction];
             Point - [Direction, Point];
             Point ^ [Plane, UnitPlane];
-            Point | [Line, Plane, UnitLine, UnitPlane];
+            Point | [Line, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
             ProjectivePoint & [Direction, Line, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
             ProjectivePoint * [Scalar];
             ProjectivePoint + [ProjectivePoint];
             ProjectivePoint - [ProjectivePoint];
             ProjectivePoint / [Scalar];
             ProjectivePoint ^ [Plane, UnitPlane];
-            ProjectivePoint | [Line, Plane, ProjectivePoint, UnitLine, UnitPlane];
+            ProjectivePoint | [Line, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
             Pseudoscalar * [Scalar];
             Pseudoscalar + [Pseudoscalar];
             Pseudoscalar - [Pseudoscalar];
             Pseudoscalar / [Scalar];
-            Rotor * [Motor, Rotor, Translator];
-            Rotor >> [Direction, Line, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
-            Translator * [Motor, Rotor, Translator];
-            Translator >> [Direction, Line, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
+            Rotor * [EvenMultivector, Motor, Plane, Rotor, Translator, UnitLine, UnitPlane];
+            Rotor >> [Direction, Line, Motor, Plane, Point, ProjectivePoint, Rotor, Translator, UnitLine, UnitPlane];
+            Translator * [EvenMultivector, Motor, Plane, Rotor, Translator, UnitLine, UnitPlane];
+            Translator >> [
+                Direction, Line, Motor, Plane, Point, ProjectivePoint, Rotor, Translator, UnitLine,
+                UnitPlane
+            ];
             UnitLine & [Direction, Line, Point, ProjectivePoint, UnitLine];
-            UnitLine * [Line, Plane, Point, UnitLine, UnitPlane];
+            UnitLine * [EvenMultivector, Line, Motor, Plane, Point, Rotor, Translator, UnitLine, UnitPlane];
             UnitLine ^ [Line, Plane, UnitLine, UnitPlane];
             UnitLine | [Direction, Line, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
             UnitPlane & [Direction, Point, ProjectivePoint];
-            UnitPlane * [Line, Plane, Point, UnitLine, UnitPlane];
+            UnitPlane * [EvenMultivector, Line, Motor, Plane, Point, Rotor, Translator, UnitLine, UnitPlane];
             UnitPlane ^ [Direction, Line, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
             UnitPlane | [Direction, Line, Plane, Point, ProjectivePoint, UnitLine, UnitPlane];
         }
@@ -338,14 +350,14 @@ mod pga3d {
             Pseudoscalar -= [Pseudoscalar];
         }
         negated [
-            Direction, EvenMultivector, Line, Motor, OddMultivector, Plane, ProjectivePoint,
-            Pseudoscalar, Rotor, UnitLine, UnitPlane
+            Direction, EvenMultivector, Line, Motor, OddMultivector, Plane, ProjectivePoint, Pseudoscalar,
+            Rotor, UnitLine, UnitPlane
         ]
         converted {
-            EvenMultivector from [Line, Motor, Rotor, Translator];
+            EvenMultivector from [Line, Motor, Rotor, Translator, UnitLine];
             Line from [UnitLine];
-            Motor from [Rotor, Translator];
-            OddMultivector from [Plane, ProjectivePoint];
+            Motor from [Rotor, Translator, UnitLine];
+            OddMultivector from [Direction, Plane, Point, ProjectivePoint, UnitPlane];
             Plane from [UnitPlane];
             ProjectivePoint from [Direction, Point];
         }
@@ -367,30 +379,39 @@ mod pga2d {
             OddMultivector, Pseudoscalar
         ]
         binary {
+            Bivector & [Bivector, Line, UnitLine];
             Bivector * [Scalar];
             Bivector + [Bivector];
             Bivector - [Bivector];
             Bivector / [Scalar];
+            Bivector ^ [Line, UnitLine];
+            Bivector | [Bivector, Line, UnitLine];
+            Direction & [Direction, Line, Point, UnitLine];
             Direction * [Scalar];
             Direction + [Direction];
             Direction - [Direction];
             Direction / [Scalar];
-            EvenMultivector * [EvenMultivector, Motor, Scalar];
+            Direction ^ [Line, UnitLine];
+            Direction | [Line, UnitLine];
+            EvenMultivector * [EvenMultivector, Line, Motor, OddMultivector, Scalar, UnitLine];
             EvenMultivector + [EvenMultivector];
             EvenMultivector - [EvenMultivector];
             EvenMultivector / [Scalar];
-            Line & [Point];
-            Line * [Line, Point, Scalar, UnitLine];
+            Line & [Bivector, Direction, Point];
+            Line * [EvenMultivector, Line, Motor, Point, Rotor, Scalar, Translator, UnitLine];
             Line + [Line];
             Line - [Line];
             Line / [Scalar];
-            Line ^ [Line, Point, UnitLine];
-            Line | [Line, Point, UnitLine];
-            Motor * [EvenMultivector, Motor, Rotor, Scalar, Translator];
+            Line ^ [Bivector, Direction, Line, Point, UnitLine];
+            Line | [Bivector, Direction, Line, Point, UnitLine];
+            Motor * [EvenMultivector, Line, Motor, OddMultivector, Rotor, Scalar, Translator, UnitLine];
             Motor + [Motor];
             Motor - [Motor];
-            Motor >> [Bivector, Direction, Line, Motor, Point, UnitLine];
-            OddMultivector * [Scalar];
+            Motor >> [
+                Bivector, Direction, EvenMultivector, Line, Motor, OddMultivector, Point, Rotor, Translator,
+                UnitLine
+            ];
+            OddMultivector * [EvenMultivector, Motor, OddMultivector, Scalar];
             OddMultivector + [OddMultivector];
             OddMultivector - [OddMultivector];
             OddMultivector / [Scalar];
@@ -399,19 +420,19 @@ mod pga2d {
             Point + [Direction];
             Point - [Direction, Point];
             Point ^ [Line, UnitLine];
-            Point | [Line, UnitLine];
+            Point | [Line, Point, UnitLine];
             Pseudoscalar * [Scalar];
             Pseudoscalar + [Pseudoscalar];
             Pseudoscalar - [Pseudoscalar];
             Pseudoscalar / [Scalar];
-            Rotor * [Motor, Rotor, Translator];
-            Rotor >> [Direction, Line, Point, UnitLine];
-            Translator * [Motor, Rotor, Translator];
-            Translator >> [Direction, Line, Point, UnitLine];
-            UnitLine & [Point];
-            UnitLine * [Line, Point, UnitLine];
-            UnitLine ^ [Line, Point, UnitLine];
-            UnitLine | [Line, Point, UnitLine];
+            Rotor * [Line, Motor, Rotor, Translator, UnitLine];
+            Rotor >> [Direction, Line, Motor, Point, Rotor, Translator, UnitLine];
+            Translator * [Line, Motor, Rotor, Translator, UnitLine];
+            Translator >> [Direction, Line, Motor, Point, Rotor, Translator, UnitLine];
+            UnitLine & [Bivector, Direction, Point];
+            UnitLine * [EvenMultivector, Line, Motor, Point, Rotor, Translator, UnitLine];
+            UnitLine ^ [Bivector, Direction, Line, Point, UnitLine];
+            UnitLine | [Bivector, Direction, Line, Point, UnitLine];
         }
         assigning {
             Bivector *= [Scalar];
@@ -433,15 +454,13 @@ mod pga2d {
             Pseudoscalar += [Pseudoscalar];
             Pseudoscalar -= [Pseudoscalar];
         }
-        negated [
-            Bivector, Direction, EvenMultivector, Line, Motor, OddMultivector, Pseudoscalar, Rotor,
-            UnitLine
-        ]
+        negated [Bivector, Direction, EvenMultivector, Line, Motor, OddMultivector, Pseudoscalar, Rotor, UnitLine]
         converted {
             Bivector from [Direction, Point];
-            EvenMultivector from [Motor];
+            EvenMultivector from [Bivector, Motor, Rotor, Translator];
             Line from [UnitLine];
             Motor from [Rotor, Translator];
+            OddMultivector from [Line, UnitLine];
         }
     }
 }

@@ -6,8 +6,8 @@
 //! The program of `exp` or `log` is evaluated on formal power series (see [`SeriesRing`]) and compared with the
 //! definition: exp(B) with sum of B^n / n!, and log with B where its argument is that sum. What the output type promises
 //! is proved of the same series. This is a proof to a total degree in the coefficients of the bivector, [`ORDER`] or one
-//! beyond the degree of the program, whichever is greater, and no further: so a program that is wrong by a polynomial of
-//! its inputs, such as `e23^13`, is refuted, but one that is wrong by terms of higher degree alone, such as the
+//! beyond the degree of the program, whichever is greater, and no further: so a program that is wrong by sums and products
+//! of its inputs, such as `e23^13`, is refuted, but one that is wrong by terms of higher degree alone, such as the
 //! thirteenth power of 1 - cos(l), is accepted. If all terms agree, the functions, which are analytic, are equal about the
 //! identity, as far as the branches of the root and of atan2 reach. An argument of log is promised to be a unit, see
 //! [`Specification`].
@@ -158,7 +158,7 @@ pub(crate) fn evaluate_polynomials(program: &Program, inputs: usize) -> Option<V
 }
 
 /// The order to which the series of a program are compared: beyond its degree, where roots, quotients and functions count
-/// as degree 1, so that no polynomial of the inputs in it is overlooked.
+/// as degree 1, so that nothing that sums and products make of the inputs is overlooked.
 fn order(program: &Program) -> Result<usize, Refutation> {
     let mut degrees: Vec<usize> = Vec::with_capacity(program.operations.len());
     for operation in &program.operations {
