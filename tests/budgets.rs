@@ -91,3 +91,23 @@ fn every_record_is_met() {
     }
     assert!(met >= 47, "only {met} rows have a record");
 }
+
+/// What a reader would write by hand: one product after the other, without what nobody needs.
+#[test]
+fn no_program_costs_more_than_its_definition_product_by_product() {
+    let mut compared = 0;
+    for preset in ga_codegen::preset::NAMES {
+        let tokens = ga_codegen::preset::text(preset).expect("a preset").parse().expect("a preset is made of tokens");
+        let definition = ga_codegen::define(tokens).expect("a preset that is sound");
+        for compiled in ga_codegen::compile(&definition).expect("a preset that is proved") {
+            let staged = ga_codegen::factor::staged_count(&compiled.specification).expect("counts that fit");
+            let expanded = compiled.expanded.filter(|_| compiled.part == ga_codegen::Part::Whole);
+            let count = Count::of(&compiled.program);
+            for other in staged.into_iter().chain(expanded) {
+                assert!(count.flops() <= other.flops(), "{preset} {}: {count}, by hand {other}", compiled.name);
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 300, "only {compared} comparisons");
+}

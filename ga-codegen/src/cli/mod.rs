@@ -54,6 +54,9 @@ enum Command {
         /// Restarts for every kernel and cost model.
         #[arg(long, default_value_t = 1000)]
         restarts: u64,
+        /// Start anew: neither from the recipes that are there nor where an earlier search stopped.
+        #[arg(long)]
+        fresh: bool,
         /// The file for the recipes; standard output without it. How far the search came stands beside it in *.search.json.
         #[arg(short, long, value_name = "FILE")]
         output: Option<PathBuf>,
@@ -84,8 +87,8 @@ pub(crate) fn run() -> ExitCode {
             report::run(&source, format)
         }
         Command::Emit { source, kernel, output } => emit::run(&source, kernel.as_deref(), output.as_deref()),
-        Command::Search { source, kernel, restarts, output } => {
-            search::run(&search::Request { source, kernels: kernel, restarts, output })
+        Command::Search { source, kernel, restarts, fresh, output } => {
+            search::run(&search::Request { source, kernels: kernel, restarts, fresh, output })
         }
         Command::Table { source, product, format } => table::run(&source, product, format),
     };

@@ -19,6 +19,7 @@ pub(crate) struct Request {
     pub(crate) source: String,
     pub(crate) kernels: Vec<String>,
     pub(crate) restarts: u64,
+    pub(crate) fresh: bool,
     pub(crate) output: Option<PathBuf>,
 }
 
@@ -40,7 +41,7 @@ pub(crate) fn run(request: &Request) -> Result<String, String> {
         return Err(format!("error: expected a kernel of {}, found `{name}`", request.source));
     }
     let jobs = jobs(&definition, request)?;
-    let state = Mutex::new(State::read(request.output.as_deref())?);
+    let state = Mutex::new(State::read(request.output.as_deref(), request.fresh)?);
     let bar = ProgressBar::new(request.restarts * jobs.len() as u64);
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} restarts, {eta} left  {msg}");
     bar.set_style(style.map_err(|error| format!("error: {error}"))?);
@@ -140,7 +141,8 @@ fn search(
     let lock = || state.lock().expect("invariant: no thread panics with the lock");
     let mut search =
         Search::new(&task.specification, task.model, &task.recipe).map_err(|error| fail(error.to_string()))?;
-    if let Some(recipe) = definition.recipe(&task.recipe, task.model)
+    if !request.fresh
+        && let Some(recipe) = definition.recipe(&task.recipe, task.model)
         && let Ok(program) = replay(&task.specification, recipe)
         && prove(&task.specification, &program).is_ok()
     {
@@ -205,9 +207,9 @@ struct Done {
 }
 
 impl State {
-    fn read(output: Option<&Path>) -> Result<Self, String> {
+    fn read(output: Option<&Path>, fresh: bool) -> Result<Self, String> {
         let path = output.map(|path| path.with_extension("search.json"));
-        let text = match path.as_ref().map(fs::read_to_string) {
+        let text = match path.as_ref().filter(|_| !fresh).map(fs::read_to_string) {
             Some(Ok(text)) => text,
             _ => return Ok(Self { path, entries: Map::new() }),
         };

@@ -89,6 +89,19 @@ pub fn factor_polynomials(polynomials: &[Polynomial], input_count: usize) -> Res
     Ok(extract::greedy(System::new(polynomials, input_count)?).program())
 }
 
+/// The multiplications and additions of evaluating the definition product by product, coefficients that no output needs
+/// left out; `None` where there is one product only, or none.
+///
+/// # Errors
+/// [`Overflow`]
+pub fn staged_count(specification: &Specification) -> Result<Option<Count>, Overflow> {
+    if specification.analytic.is_some() || specification.projection.is_some() {
+        return Ok(None);
+    }
+    let cost = starting::staged(specification)?.first().map(System::cost);
+    Ok(cost.map(|(flops, mul)| Count { mul, add: flops - mul, ..Count::default() }))
+}
+
 /// The multiplications and additions of the definition expanded, nothing shared; `None` for an analytic kernel.
 ///
 /// # Errors

@@ -200,7 +200,7 @@ impl<'a> Stage<'a> {
     }
 }
 
-fn staged(specification: &Specification) -> Result<Vec<System>, Overflow> {
+pub(super) fn staged(specification: &Specification) -> Result<Vec<System>, Overflow> {
     let mut stage = Stage::new(specification);
     let value = stage.evaluate(&specification.expression)?;
     Ok(if stage.rows.is_empty() { Vec::new() } else { vec![stage.finish(&value)?] })
