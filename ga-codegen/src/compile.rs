@@ -122,7 +122,7 @@ fn compile_task(definition: &Definition, index: usize, task: Task) -> syn::Resul
     let expanded = factor::expanded_count(&specification).map_err(|found| at(kernel, found.to_string()))?;
     let (program, proof) = proved_program(kernel, &specification, definition.recipe(&recipe, model), model)?;
     if let Some(number) = program.unnameable_number() {
-        let message = format!("expected numbers whose numerator and denominator fit 32 bits, found {number}");
+        let message = format!("expected numbers whose numerator and denominator fit an i32, found {number}");
         return Err(at(kernel, message));
     }
     let bound = Bound::new(&specification, &program);
@@ -160,8 +160,8 @@ fn proved_program(
         return replayed.map_err(|reason| {
             let (name, owner) = (&recipe.kernel, &kernel.name);
             let message = format!(
-                "expected a recipe that fits `{name}`, found that {reason}: renew it with `ga-codegen search DEFINITION \
-                 --kernel {owner}`"
+                "expected a recipe that fits `{name}`, found that {reason}: remove it and renew it with `ga-codegen \
+                 search DEFINITION --kernel {owner}`"
             );
             syn::Error::new(recipe.span, message)
         });

@@ -96,14 +96,24 @@ pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
 
 /// Checks that what kernels are split into has names of its own.
 fn check_parts(definition: &Definition, errors: &mut Errors) {
-    let mut functions: Vec<&str> = definition.kernels.iter().map(|kernel| kernel.name.as_str()).collect();
-    let mut types: Vec<&str> = definition.entities.iter().map(|entity| entity.name.as_str()).collect();
-    types.extend(RESERVED);
-    for hoist in definition.kernels.iter().filter_map(|kernel| kernel.hoist.as_ref()) {
-        for (name, is_type) in [(&hoist.record, true), (&hoist.prepare, false), (&hoist.apply, false)] {
+    let mut functions: Vec<String> = definition.kernels.iter().map(|kernel| kernel.name.clone()).collect();
+    let mut types: Vec<String> = definition.entities.iter().map(|entity| entity.name.clone()).collect();
+    types.extend(RESERVED.map(str::to_owned));
+    for kernel in &definition.kernels {
+        let variants = kernel.models.iter().skip(1).map(|model| format!("{}_{model}", kernel.name));
+        let mut wanted: Vec<_> = variants.map(|name| (name, false, kernel.span)).collect();
+        if let Some(hoist) = &kernel.hoist {
+            let names = [(&hoist.record, true), (&hoist.prepare, false), (&hoist.apply, false)];
+            wanted.extend(names.map(|(name, is_type)| (name.clone(), is_type, hoist.span)));
+            if kernel.parameters.iter().any(|parameter| parameter.name == Hoist::RECORD) {
+                let message = format!("expected no parameter named `{}` beside `hoist`, found one", Hoist::RECORD);
+                errors.push(hoist.span, message);
+            }
+        }
+        for (name, is_type, span) in wanted {
             let taken = if is_type { &mut types } else { &mut functions };
-            if taken.contains(&name.as_str()) {
-                errors.push(hoist.span, format!("expected names that are not taken, found `{name}`, which is"));
+            if taken.contains(&name) {
+                errors.push(span, format!("expected names that are not taken, found `{name}`, which is"));
             }
             taken.push(name);
         }

@@ -381,3 +381,39 @@ fn the_report_is_plain_where_there_is_no_terminal_and_a_table_in_markdown() {
     // A bar in a definition does not end a cell.
     assert!(table.contains("(a: Line, b: Line) -> Scalar = a \\| b"), "{table}");
 }
+
+#[test]
+fn a_search_replaces_nothing_but_recipes() {
+    let block = file("kept.ga", SANDWICH);
+    let message = refused(&["search", text(&block), "--restarts", "5", "-o", text(&block)]);
+    let path = block.display();
+    assert_eq!(message, format!("error: {path}: expected a file of recipes to replace, found `signature`\n"));
+    assert_eq!(std::fs::read_to_string(&block).expect("the block"), SANDWICH);
+}
+
+#[test]
+fn another_definition_does_not_inherit_restarts() {
+    let recipes = file("inherited.recipes.ga", "");
+    let _ = std::fs::remove_file(recipes.with_extension("search.json"));
+    let even = "
+signature (3, 0, 0);
+entity Even { s: 1, e23, e31: e13, e12 }
+kernel turn(a: Even, b: Even) -> Scalar = scalar_product(a * b, ~(a * b));
+";
+    let unit = even.replace("e12 }", "e12 } where s*s == 1 - e23*e23 - e31*e31 - e12*e12;");
+    let (even, unit) = (file("even.ga", even), file("unit.ga", &unit));
+    let log = |block: &Path| printed(&["search", text(block), "--restarts", "60", "-o", text(&recipes)]);
+    let first = log(&even);
+    let second = log(&unit);
+    let anew = printed(&["search", text(&unit), "--fresh", "--restarts", "60", "-o", text(&recipes)]);
+    assert_ne!(first, second);
+    assert_eq!(second, anew);
+}
+
+#[test]
+fn parts_and_variants_go_by_their_names() {
+    for name in ["motor_to_matrix", "matrix_apply_point", "rotor_transform_line_fma"] {
+        let emitted = printed(&["emit", "pga3d", "--kernel", name]);
+        assert!(emitted.contains(&format!("pub fn {name}<T: Scalar>(")), "{emitted}");
+    }
+}

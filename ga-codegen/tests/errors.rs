@@ -410,7 +410,7 @@ kernel f(a: Vector) -> Vector = 9223372036854775807 * 9223372036854775807 * 9223
 signature (2, 0, 0);
 entity Vector { e1, e2 }
 kernel f(a: Vector) -> Vector = 1000000007 * 1000000009 * a;",
-        &["3:8: kernel `f`: expected numbers whose numerator and denominator fit 32 bits, found 1000000016000000063"],
+        &["3:8: kernel `f`: expected numbers whose numerator and denominator fit an i32, found 1000000016000000063"],
     );
 }
 
@@ -750,8 +750,8 @@ fn recipes_that_do_not_fit_say_how_to_renew_them() {
     assert!(ga_codegen::expand(expands.parse().expect("tokens")).is_ok());
     let unfit = |reason: &str| {
         format!(
-            "4:8: expected a recipe that fits `f`, found that {reason}: renew it with `ga-codegen search DEFINITION \
-             --kernel f`"
+            "4:8: expected a recipe that fits `f`, found that {reason}: remove it and renew it with `ga-codegen search \
+             DEFINITION --kernel f`"
         )
     };
     assert_errors(
@@ -771,5 +771,43 @@ fn recipes_that_do_not_fit_say_how_to_renew_them() {
     assert_errors(
         &block("recipe f flops { out = ~a.e1; }"),
         &["4:24: expected sums and products of coefficients, rows and numbers"],
+    );
+}
+
+#[test]
+fn recipes_name_a_row_once_and_outputs_that_are_there() {
+    let block = |rows: &str| {
+        format!(
+            "\nsignature (2, 0, 0);\nentity Vector {{ e1, e2 }}\nkernel f(a: Vector, b: Vector) -> Scalar = a | b;\n\
+             recipe f flops {{ {rows} }}\n"
+        )
+    };
+    let unfit = |reason: &str| {
+        format!(
+            "4:8: expected a recipe that fits `f`, found that {reason}: remove it and renew it with `ga-codegen search \
+             DEFINITION --kernel f`"
+        )
+    };
+    assert_errors(&block("a.e1 = b.e1; out = a.e1;"), &[&unfit("it names `a.e1` twice")]);
+    assert_errors(&block("t = b.e1; t = a.e1; out = t;"), &[&unfit("it names `t` twice")]);
+    assert_errors(&block("out.nope = b.e1; out = a.e1;"), &[&unfit("it has a row `out.nope`, which is no output")]);
+}
+
+#[test]
+fn names_that_two_programs_would_have_are_refused() {
+    let block = |kernels: &str| format!("\nsignature (2, 0, 0);\nentity Vector {{ e1, e2 }}\n{kernels}\n");
+    assert_errors(
+        &block(
+            "kernel f(a: Vector, b: Vector) -> Scalar = a | b cost flops, fma;\nkernel f_fma(a: Vector) -> Vector = -a;",
+        ),
+        &["3:8: expected names that are not taken, found `f_fma`, which is"],
+    );
+    assert_errors(
+        &block("kernel f(uniform a: Vector, prepared: Vector) -> Scalar = a | prepared hoist Dual, make, take;"),
+        &["3:78: expected no parameter named `prepared` beside `hoist`, found one"],
+    );
+    assert_errors(
+        &block("kernel f(uniform a: Vector, b: Vector) -> Vector = b hoist Dual, make, take;"),
+        &["3:60: kernel `f`: expected an output that depends on the uniform inputs, found none"],
     );
 }

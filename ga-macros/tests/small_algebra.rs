@@ -145,3 +145,28 @@ fn parts_of_a_kernel_applied_one_after_the_other_are_the_kernel() {
     let quick = kernels::turn_latency(r, v);
     assert!((whole.x - quick.x).abs() < 1e-14 && (whole.y - quick.y).abs() < 1e-14);
 }
+
+/// Fields whose names would be the same, and a scalar output without one.
+mod hoisted_names {
+    ga_macros::algebra! {
+        signature (2, 0, 0);
+        entity Uniform { x: e1, y: e2 }
+        entity Outer { a: e1, a_b: e2 }
+        entity Inner { b_c: e1, c: e2 }
+        kernel stretch(uniform u: Uniform, v: Inner) -> Outer = (u | v) * u hoist Stretch, stretch_prepare, stretch_apply;
+        kernel along(uniform u: Uniform, v: Inner) -> Scalar = u | v hoist Along, along_prepare, along_apply;
+    }
+}
+
+#[test]
+fn fields_of_records_have_names_of_their_own() {
+    use hoisted_names::{Inner, Uniform, kernels};
+
+    let (u, v) = (Uniform::new(2, 3).map(f64::from), Inner::new(5, 7).map(f64::from));
+    let record = kernels::stretch_prepare(u);
+    assert_eq!((record.a_b_c, record.a_c, record.a_b_c_2), (4.0, 6.0, 9.0));
+    assert_eq!(kernels::stretch_apply(record, v), kernels::stretch(u, v));
+    let along = kernels::along_prepare(u);
+    assert_eq!((along.by_b_c, along.by_c), (2.0, 3.0));
+    assert_eq!(kernels::along_apply(along, v), 31.0);
+}

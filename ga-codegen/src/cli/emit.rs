@@ -13,7 +13,7 @@ const HEADER: &str = "\
 /// Writes the Rust of a definition, or of one kernel; the text for standard output where there is no file.
 pub(crate) fn run(source: &str, kernel: Option<&str>, output: Option<&Path>) -> Result<String, String> {
     let Source { definition, compiled } = compiled(source)?;
-    if let Some(name) = kernel.filter(|name| definition.kernel(name).is_none()) {
+    if let Some(name) = kernel.filter(|name| !compiled.iter().any(|program| program.name == **name)) {
         return Err(format!("error: expected a kernel of {source}, found `{name}`"));
     }
     let tokens = match kernel {

@@ -7,9 +7,11 @@ use ga_codegen::program::Count;
 use ga_codegen::proof::prove;
 use ga_codegen::{Task, tasks};
 use indicatif::{ProgressBar, ProgressStyle};
+use proc_macro2::{TokenStream, TokenTree};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -27,6 +29,15 @@ fn key(task: &Task) -> String {
     format!("{} {}", task.recipe, task.model)
 }
 
+/// A number that another specification, or another set of starting points, does not share (FNV-1a).
+fn fingerprint(task: &Task) -> u64 {
+    let names = task.specification.names();
+    let polynomials = task.specification.outputs.iter().chain(&task.specification.stated);
+    let text: String = polynomials.map(|polynomial| polynomial.display(&names) + ";").collect();
+    let text = format!("{} {} {text}", env!("CARGO_PKG_VERSION"), task.model);
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
 /// What a job leaves behind.
 struct Found {
     place: Place,
@@ -37,12 +48,14 @@ struct Found {
 /// Searches every kernel that sharing can make cheaper; returns the log, and the recipes where no file is named.
 pub(crate) fn run(request: &Request) -> Result<String, String> {
     let definition = source::definition(&request.source)?;
-    if let Some(name) = request.kernels.iter().find(|name| definition.kernel(name).is_none()) {
+    let known = |name: &String| definition.kernels.iter().any(|kernel| is_of(kernel, name));
+    if let Some(name) = request.kernels.iter().find(|name| !known(name)) {
         return Err(format!("error: expected a kernel of {}, found `{name}`", request.source));
     }
+    let old = recipes_in(request)?;
     let jobs = jobs(&definition, request)?;
     let state = Mutex::new(State::read(request.output.as_deref(), request.fresh)?);
-    let bar = ProgressBar::new(request.restarts * jobs.len() as u64);
+    let bar = ProgressBar::new(request.restarts.saturating_mul(jobs.len() as u64));
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} restarts, {eta} left  {msg}");
     bar.set_style(style.map_err(|error| format!("error: {error}"))?);
     let next = AtomicUsize::new(0);
@@ -55,7 +68,7 @@ pub(crate) fn run(request: &Request) -> Result<String, String> {
     })?;
     bar.finish_and_clear();
     let mut log = String::new();
-    let mut recipes = kept(&definition, request);
+    let mut recipes = kept(&definition, &old);
     for slot in found {
         let found = slot.into_inner().ok().flatten().ok_or("error: a search did not finish")?;
         log += &found.line;
@@ -64,7 +77,7 @@ pub(crate) fn run(request: &Request) -> Result<String, String> {
     let recipes: String = recipes.into_values().collect();
     match &request.output {
         Some(path) => {
-            fs::write(path, recipes).map_err(|error| format!("error: {}: {error}", path.display()))?;
+            write(path, &recipes)?;
             Ok(log)
         }
         None => Ok(format!("{log}\n{recipes}")),
@@ -74,9 +87,43 @@ pub(crate) fn run(request: &Request) -> Result<String, String> {
 /// Where a recipe stands among those of a definition: the kernel, the program.
 type Place = (usize, usize);
 
-/// The recipes in the output file, where they belong to programs of the definition.
-fn kept(definition: &Definition, request: &Request) -> BTreeMap<Place, String> {
-    let Some(Ok(text)) = request.output.as_ref().map(fs::read_to_string) else { return BTreeMap::new() };
+/// Whether a name is that of a kernel, of one of its variants or of one of its parts.
+fn is_of(kernel: &Kernel, name: &str) -> bool {
+    let variant = kernel.models.iter().any(|model| name == format!("{}_{model}", kernel.name));
+    variant || kernel.name == name || kernel.models.iter().any(|&model| kernel.has_program(name, model))
+}
+
+/// The text of the output file, which must be recipes and nothing else: it will be replaced.
+fn recipes_in(request: &Request) -> Result<String, String> {
+    let Some(path) = &request.output else { return Ok(String::new()) };
+    let refuse =
+        |found: String| format!("error: {}: expected a file of recipes to replace, found {found}", path.display());
+    let text = match fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(String::new()),
+        Err(error) => return Err(refuse(error.to_string())),
+    };
+    let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| refuse(error.to_string()))?;
+    let mut tokens = tokens.into_iter();
+    while let Some(token) = tokens.next() {
+        let rest: Vec<TokenTree> = tokens.by_ref().take(3).collect();
+        match (token.to_string().as_str(), rest.as_slice()) {
+            ("recipe", [TokenTree::Ident(_), TokenTree::Ident(_), TokenTree::Group(_)]) => {}
+            (found, _) => return Err(refuse(format!("`{found}`"))),
+        }
+    }
+    Ok(text)
+}
+
+/// Writes a file whole or not at all.
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    let unfinished = path.with_extension("unfinished");
+    let written = fs::write(&unfinished, text).and_then(|()| fs::rename(&unfinished, path));
+    written.map_err(|error| format!("error: {}: {error}", path.display()))
+}
+
+/// Recipes by the programs of the definition that they belong to.
+fn kept(definition: &Definition, text: &str) -> BTreeMap<Place, String> {
     let places: BTreeMap<String, Place> = definition
         .kernels
         .iter()
@@ -99,7 +146,7 @@ fn kept(definition: &Definition, request: &Request) -> BTreeMap<Place, String> {
 /// Kernels and the places of their programs.
 fn jobs(definition: &Definition, request: &Request) -> Result<Vec<Place>, String> {
     let mut jobs = Vec::new();
-    let asked = |kernel: &Kernel| request.kernels.is_empty() || request.kernels.contains(&kernel.name);
+    let asked = |kernel: &Kernel| request.kernels.is_empty() || request.kernels.iter().any(|name| is_of(kernel, name));
     for (index, kernel) in definition.kernels.iter().enumerate() {
         if kernel.analytic.is_none() && asked(kernel) {
             let tasks = tasks(definition, kernel).map_err(|error| source::describe(&request.source, &error))?;
@@ -209,13 +256,18 @@ struct Done {
 impl State {
     fn read(output: Option<&Path>, fresh: bool) -> Result<Self, String> {
         let path = output.map(|path| path.with_extension("search.json"));
-        let text = match path.as_ref().filter(|_| !fresh).map(fs::read_to_string) {
-            Some(Ok(text)) => text,
-            _ => return Ok(Self { path, entries: Map::new() }),
+        let Some(Ok(text)) =
+            path.as_ref().filter(|path| !fresh && path.exists()).map(fs::read_to_string).or_else(|| {
+                // A new search, or one without a file.
+                Some(Ok("{}".to_owned()))
+            })
+        else {
+            let path = path.as_deref().unwrap_or(Path::new("")).display();
+            return Err(format!("error: {path}: expected the state of a search, found no text; --fresh starts anew"));
         };
         let entries = serde_json::from_str(&text).map_err(|error| {
             let path = path.as_deref().unwrap_or(Path::new("")).display();
-            format!("error: {path}: expected the state of a search, found other JSON: {error}")
+            format!("error: {path}: expected the state of a search, found other JSON ({error}); --fresh starts anew")
         })?;
         Ok(Self { path, entries })
     }
@@ -224,7 +276,8 @@ impl State {
     fn take(&self, task: &Task, search: &mut Search) -> Done {
         let entry = self.entries.get(&key(task));
         let number = |field: &str| entry.and_then(|entry| entry.get(field)).and_then(Value::as_u64).unwrap_or(0);
-        let recipe = entry.and_then(|entry| entry.get("recipe")).and_then(Value::as_str);
+        let same = number("specification") == fingerprint(task);
+        let recipe = entry.and_then(|entry| entry.get("recipe")).and_then(Value::as_str).filter(|_| same);
         let program = recipe.and_then(|text| read_recipe(&task.specification, text).ok());
         match program.filter(|program| prove(&task.specification, program).is_ok()) {
             Some(program) => {
@@ -238,9 +291,9 @@ impl State {
     fn put(&mut self, task: &Task, done: &Done, search: &Search) -> Result<(), String> {
         let Some(path) = &self.path else { return Ok(()) };
         let recipe = search.best().map(|best| write_recipe(&task.specification, best, &task.recipe, task.model));
-        let entry = json!({ "restarts": done.restarts, "found_at": done.found_at, "recipe": recipe });
+        let entry = json!({ "specification": fingerprint(task), "restarts": done.restarts, "found_at": done.found_at, "recipe": recipe });
         self.entries.insert(key(task), entry);
         let text = serde_json::to_string_pretty(&self.entries).map_err(|error| format!("error: {error}"))?;
-        fs::write(path, text).map_err(|error| format!("error: {}: {error}", path.display()))
+        write(path, &text)
     }
 }

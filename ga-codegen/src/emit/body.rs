@@ -82,7 +82,7 @@ fn number(number: Rational, span: Span) -> syn::Result<TokenStream> {
         return Ok(quote!(T::ONE));
     }
     let part = |part: i128| {
-        let message = format!("expected numbers whose numerator and denominator fit 32 bits, found {number}");
+        let message = format!("expected numbers whose numerator and denominator fit an i32, found {number}");
         i32::try_from(part).map(Literal::i32_unsuffixed).map_err(|_| syn::Error::new(span, message))
     };
     let magnitude = number.abs();

@@ -112,11 +112,12 @@ fn record(kernel: &Kernel, hoist: &Hoist, compiled: &Compiled) -> TokenStream {
         hoist.prepare,
         hoist.apply
     );
-    let fields = compiled.specification.fields.iter().map(|field| {
-        let (output, input) = field.split_once('_').unwrap_or((field, "1"));
+    let labels = compiled.specification.projection.iter().flat_map(|projection| &projection.labels);
+    let fields = compiled.specification.fields.iter().zip(labels).map(|(field, (output, input))| {
+        let output = if output.is_empty() { "the result".to_owned() } else { format!("`{output}`") };
         let text = match input {
-            "1" => format!(" What is always added to `{output}`."),
-            _ => format!(" How much of `{input}` goes into `{output}`."),
+            None => format!(" What is always added to {output}."),
+            Some(input) => format!(" How much of `{input}` goes into {output}."),
         };
         let field = ident(field);
         quote!(#[doc = #text] pub #field: T)

@@ -16,7 +16,9 @@ use std::collections::BTreeMap;
 /// Names for the values of a program; distinct, but none is promised.
 pub(super) fn names(compiled: &Compiled) -> BTreeMap<Value, String> {
     let mut names = doublings(&compiled.program, &compiled.specification);
-    names.extend(halves(&compiled.program, &compiled.specification));
+    if compiled.part == Part::Whole {
+        names.extend(halves(&compiled.program, &compiled.specification));
+    }
     if compiled.part == Part::Whole && compiled.specification.analytic.is_none() {
         names.extend(coefficients(&compiled.program, &compiled.specification).unwrap_or_default());
     }
@@ -52,15 +54,23 @@ fn halves(program: &Program, specification: &Specification) -> BTreeMap<Value, S
     let mut names = BTreeMap::new();
     for (field, &output) in specification.fields.iter().zip(&program.outputs) {
         let (Operation::Add(a, b) | Operation::Sub(a, b)) = program.operations[output] else { continue };
-        for side in [a, b] {
-            if let Operation::Double(inner) = program.operations[side]
-                && !field.is_empty()
-            {
-                names.insert(inner, format!("half_{field}"));
-            }
+        let half = |side: Value| match halved(program, side) {
+            Some(inner) if !field.is_empty() => Some(inner),
+            _ => None,
+        };
+        if let (Some(inner), None) | (None, Some(inner)) = (half(a), half(b)) {
+            names.insert(inner, format!("half_{field}"));
         }
     }
     names
+}
+
+/// What a value is the double of.
+fn halved(program: &Program, value: Value) -> Option<Value> {
+    match program.operations[value] {
+        Operation::Double(inner) => Some(inner),
+        _ => None,
+    }
 }
 
 /// The parts of a definition whose coefficients make good names: a prefix and the multivector.

@@ -56,7 +56,9 @@ pub fn rust(definition: &Definition, compiled: &[Compiled]) -> syn::Result<Token
 /// # Errors
 /// A constant that no emitted program can hold.
 pub fn kernels(definition: &Definition, compiled: &[Compiled], only: Option<&str>) -> syn::Result<TokenStream> {
-    let chosen = |compiled: &&Compiled| only.is_none_or(|name| definition.kernels[compiled.kernel].name == name);
+    let chosen = |compiled: &&Compiled| {
+        only.is_none_or(|name| compiled.name == name || definition.kernels[compiled.kernel].name == name)
+    };
     let functions = compiled.iter().filter(chosen).map(|compiled| kernel::function(definition, compiled));
     let functions: Vec<_> = functions.collect::<syn::Result<_>>()?;
     Ok(quote!(#(#functions)*))

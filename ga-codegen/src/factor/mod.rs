@@ -49,7 +49,7 @@ impl std::error::Error for FactorError {}
 pub fn factor(specification: &Specification, model: CostModel) -> Result<Program, FactorError> {
     match specification.analytic {
         None => {
-            let programs = starting::few(specification)?.into_iter().map(|start| extract::greedy(start).program());
+            let programs = starting::few(specification)?.into_iter().map(|start| extract::greedy(start).program(model));
             programs.min_by_key(|program| model.cost(Count::of(program))).ok_or_else(|| {
                 FactorError::NoClosedForm("expected a starting point of the factoriser, found none".to_owned())
             })
@@ -86,7 +86,7 @@ pub fn write_recipe(specification: &Specification, program: &Program, kernel: &s
 /// # Errors
 /// [`FactorError`]
 pub fn factor_polynomials(polynomials: &[Polynomial], input_count: usize) -> Result<Program, FactorError> {
-    Ok(extract::greedy(System::new(polynomials, input_count)?).program())
+    Ok(extract::greedy(System::new(polynomials, input_count)?).program(CostModel::default()))
 }
 
 /// The multiplications and additions of evaluating the definition product by product, coefficients that no output needs

@@ -28,7 +28,17 @@ pub(super) fn replay(specification: &Specification, recipe: &Recipe) -> Result<P
     for (index, coefficient) in specification.coefficients.iter().enumerate() {
         names.insert(coefficient.name.clone(), builder.push(Operation::Input(index)));
     }
+    let is_field = |name: &str| match name.strip_prefix("out.") {
+        Some(field) => specification.fields.iter().any(|known| known == field),
+        None => name == OUTPUT && specification.fields.iter().any(String::is_empty),
+    };
     for (name, term) in &recipe.rows {
+        if names.contains_key(name) {
+            return Err(format!("it names `{name}` twice"));
+        }
+        if (name == OUTPUT || name.contains('.')) && !is_field(name) {
+            return Err(format!("it has a row `{name}`, which is no output"));
+        }
         let value = evaluate(term, &names, &mut builder)?;
         names.insert(name.clone(), value);
     }

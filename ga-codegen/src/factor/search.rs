@@ -63,7 +63,7 @@ impl Search {
     }
 
     fn offer(&mut self, system: &System) -> bool {
-        self.take(system.program())
+        self.take(system.program(self.model))
     }
 
     fn take(&mut self, program: Program) -> bool {

@@ -28,6 +28,9 @@ pub(super) fn few(specification: &Specification) -> Result<Vec<System>, Overflow
     let mut systems: Vec<_> = outputs.iter().map(|o| System::new(o, given)).collect::<Result<_, _>>()?;
     systems.sort_by_key(System::cost);
     systems.truncate(FEW);
+    if specification.projection.is_none() {
+        systems.extend(staged(specification)?);
+    }
     Ok(systems)
 }
 
@@ -41,7 +44,6 @@ pub(super) fn all(specification: &Specification) -> Result<Vec<System>, Overflow
         systems.push(System::new(&outputs, given)?);
     }
     if specification.projection.is_none() {
-        systems.extend(staged(specification)?);
         systems.extend(by_differences(specification)?);
         systems.extend(by_commutator(specification)?);
     }

@@ -1,7 +1,7 @@
 //! Sums of signed products of literals: the form in which common parts are looked for.
 
 use super::cube::{Cube, Cubes, Literal};
-use crate::program::{Operation, Program, ProgramBuilder, Value};
+use crate::program::{CostModel, Operation, Program, ProgramBuilder, Value};
 use crate::symbolic::{Overflow, Polynomial, Rational};
 
 /// A sum of distinct cubes, ascending; `true` marks a minus.
@@ -131,24 +131,29 @@ impl System {
         }
     }
 
-    /// The program of a system whose given values are the inputs.
-    pub(super) fn program(&self) -> Program {
+    /// The program of a system whose given values are the inputs; sums are chains, or balanced where the model is latency.
+    pub(super) fn program(&self, model: CostModel) -> Program {
         let mut builder = ProgramBuilder::new();
         let given = self.meanings.iter().filter(|meaning| matches!(meaning, Meaning::Given(_))).count();
         let inputs: Vec<_> = (0..given).map(|input| builder.push(Operation::Input(input))).collect();
-        let outputs = self.build(&mut builder, &inputs);
+        let outputs = self.build_for(model, &mut builder, &inputs);
         builder.finish(&outputs)
     }
 
     /// Appends the operations of the system to a program; returns the values of the output rows.
     pub(super) fn build(&self, builder: &mut ProgramBuilder, given: &[Value]) -> Vec<Value> {
+        self.build_for(CostModel::default(), builder, given)
+    }
+
+    fn build_for(&self, model: CostModel, builder: &mut ProgramBuilder, given: &[Value]) -> Vec<Value> {
         let mut built = vec![None; self.rows.len()];
-        (0..self.outputs).map(|row| self.build_row(row, builder, given, &mut built)).collect()
+        (0..self.outputs).map(|row| self.build_row(row, model, builder, given, &mut built)).collect()
     }
 
     fn build_row(
         &self,
         row: usize,
+        model: CostModel,
         builder: &mut ProgramBuilder,
         given: &[Value],
         built: &mut [Option<Value>],
@@ -161,9 +166,12 @@ impl System {
         cubes.sort_by_key(|&(cube, _)| (self.cubes.degree(cube) > 1, self.cubes.literals(cube)));
         let mut terms = Vec::new();
         for (cube, minus) in cubes {
-            terms.push((minus, self.build_cube(cube, builder, given, built)));
+            terms.push((minus, self.build_cube(cube, model, builder, given, built)));
         }
-        let value = builder.sum(&terms);
+        let value = match model {
+            CostModel::Latency => builder.balanced_sum(&terms),
+            CostModel::Flops | CostModel::Fma => builder.sum(&terms),
+        };
         built[row] = Some(value);
         value
     }
@@ -171,6 +179,7 @@ impl System {
     fn build_cube(
         &self,
         cube: Cube,
+        model: CostModel,
         builder: &mut ProgramBuilder,
         given: &[Value],
         built: &mut [Option<Value>],
@@ -180,7 +189,7 @@ impl System {
             let factor = match &self.meanings[usize::from(literal)] {
                 Meaning::Given(index) => given[*index],
                 Meaning::Constant(number) => builder.push(Operation::Constant(*number)),
-                Meaning::Row(row) => self.build_row(*row, builder, given, built),
+                Meaning::Row(row) => self.build_row(*row, model, builder, given, built),
                 Meaning::Two => {
                     doublings += 1;
                     continue;

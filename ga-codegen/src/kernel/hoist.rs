@@ -26,6 +26,8 @@ pub struct Hoist {
 /// Which terms of which output make up the fields of a record.
 #[derive(Clone, Debug)]
 pub struct Projection {
+    /// For every field, the output that it goes into and the varying input that it is a factor of, if any.
+    pub labels: Vec<(String, Option<String>)>,
     varying: Vec<bool>,
     sources: Vec<(usize, Monomial)>,
 }
@@ -71,7 +73,7 @@ pub fn split(kernel: &Kernel, specification: &Specification) -> Result<(Specific
     let overflow = |error: Overflow| error.to_string();
     let uniform = |coefficient: &Coefficient| kernel.uniform[coefficient.parameter];
     let varying: Vec<bool> = specification.coefficients.iter().map(|coefficient| !uniform(coefficient)).collect();
-    let mut projection = Projection { varying, sources: Vec::new() };
+    let mut projection = Projection { labels: Vec::new(), varying, sources: Vec::new() };
     let (mut known, mut names): (Vec<Known>, Vec<String>) = (Vec::new(), Vec::new());
     let first_field = specification.coefficients.len() as Symbol;
     let mut sums = Vec::new();
@@ -85,7 +87,9 @@ pub fn split(kernel: &Kernel, specification: &Specification) -> Result<(Specific
                 None => {
                     let (sign, field) = find_field(&mut known, &reduced);
                     if field == names.len() {
-                        names.push(field_name(kernel, specification, index, &term));
+                        let label = label(kernel, specification, index, &term);
+                        names.push(field_name(&label, &names));
+                        projection.labels.push(label);
                         projection.sources.push((index, term.clone()));
                     }
                     (sign, Some(Monomial::new(vec![first_field + field as Symbol])))
@@ -94,6 +98,9 @@ pub fn split(kernel: &Kernel, specification: &Specification) -> Result<(Specific
             sum.add_term(term.times(&field.unwrap_or_default()), factor).map_err(overflow)?;
         }
         sums.push(sum);
+    }
+    if names.is_empty() {
+        return Err("expected an output that depends on the uniform inputs, found none".to_owned());
     }
     let prepare = prepare(specification, projection, names).map_err(overflow)?;
     check_composition(specification, &prepare, &sums).map_err(overflow)?;
@@ -131,14 +138,25 @@ fn find_field(known: &mut Vec<Known>, reduced: &Polynomial) -> (Rational, usize)
     (Rational::ONE, known.len() - 1)
 }
 
-/// `OUTPUT_INPUT`, such as `x_y` for what y contributes to x, and `x_1` for what is always added.
-fn field_name(kernel: &Kernel, specification: &Specification, output: usize, term: &Monomial) -> String {
-    let output = &specification.fields[output];
-    let Some(&symbol) = term.symbols().first() else { return format!("{output}_1") };
-    let coefficient = &specification.coefficients[usize::from(symbol)];
+/// An output and a varying input that goes into it; no input for what is always added.
+fn label(kernel: &Kernel, specification: &Specification, output: usize, term: &Monomial) -> (String, Option<String>) {
     let several = kernel.uniform.iter().filter(|uniform| !**uniform).count() > 1;
-    let input = if several { coefficient.name.replace('.', "_") } else { coefficient.field.clone() };
-    format!("{output}_{input}")
+    let input = term.symbols().first().map(|&symbol| {
+        let coefficient = &specification.coefficients[usize::from(symbol)];
+        if several || coefficient.field.is_empty() { coefficient.name.clone() } else { coefficient.field.clone() }
+    });
+    (specification.fields[output].clone(), input)
+}
+
+/// `OUTPUT_INPUT`, such as `x_y` for what y contributes to x, and `x_1` for what is always added; for a scalar output
+/// `by_INPUT`. A number behind it where that is taken.
+fn field_name((output, input): &(String, Option<String>), taken: &[String]) -> String {
+    let output = if output.is_empty() { "by" } else { output };
+    let input = input.as_deref().unwrap_or("1").replace('.', "_");
+    let name = format!("{output}_{input}");
+    let numbered = (2..).map(|number| format!("{name}_{number}"));
+    let mut names = std::iter::once(name.clone()).chain(numbered);
+    names.find(|name| !taken.contains(name)).expect("invariant: numbers do not run out")
 }
 
 fn prepare(

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug, Default)]
 pub struct ProgramBuilder {
     operations: Vec<Operation>,
+    depths: Vec<usize>,
     known: BTreeMap<Operation, Value>,
 }
 
@@ -25,6 +26,9 @@ impl ProgramBuilder {
             other => other,
         };
         *self.known.entry(operation).or_insert_with(|| {
+            let below = operation.operands().map(|operand| self.depths[operand]).max().unwrap_or(0);
+            let free = matches!(operation, Operation::Input(_) | Operation::Constant(_) | Operation::Neg(_));
+            self.depths.push(if free { below } else { below + 1 });
             self.operations.push(operation);
             self.operations.len() - 1
         })
@@ -56,6 +60,26 @@ impl ProgramBuilder {
             };
         }
         if all_minus { self.negate(total) } else { total }
+    }
+
+    /// A sum of signed values that takes the two that are ready first again and again, so that it is as shallow as can be.
+    pub fn balanced_sum(&mut self, terms: &[(bool, Value)]) -> Value {
+        let mut terms = terms.to_vec();
+        while terms.len() > 1 {
+            terms.sort_by_key(|&(_, value)| std::cmp::Reverse(self.depths[value]));
+            let (Some((minus_a, a)), Some((minus_b, b))) = (terms.pop(), terms.pop()) else { break };
+            let sum = match (minus_a, minus_b) {
+                (false, true) => self.push(Operation::Sub(a, b)),
+                (true, false) => self.push(Operation::Sub(b, a)),
+                _ => self.push(Operation::Add(a, b)),
+            };
+            terms.push((minus_a && minus_b, sum));
+        }
+        match terms.first() {
+            Some(&(true, value)) => self.negate(value),
+            Some(&(false, value)) => value,
+            None => self.push(Operation::Constant(Rational::ZERO)),
+        }
     }
 
     /// The program with these outputs and what they need.

@@ -90,7 +90,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// The first number in the program that emitted code cannot name: its numerator or denominator needs more than 32 bits.
+    /// The first number in the program that emitted code cannot name: its numerator or denominator does not fit an i32.
     pub fn unnameable_number(&self) -> Option<Rational> {
         let fits = |part: i128| i32::try_from(part).is_ok();
         let numbers = self.operations.iter().filter_map(|operation| match operation {
