@@ -1550,6 +1550,8 @@ impl<T: Scalar> Default for Pseudoscalar<T> {
 /// and 2^-53 for f64. `|a|` is the norm of the coefficients of `a` before blades without a null generator, `|a|_0`
 /// that of its other coefficients. Where a type promises that `|a|` is 1 it is left out.
 ///
+/// Costs count a doubling, emitted as `x + x`, as a multiplication and a negation as nothing.
+///
 /// Temporaries are named where they mean something: `cross_e1` is the coefficient of `e1`, up to sign, in the
 /// commutator (m x - x m)/2 of a sandwich m x ~m, `inner_e1` that in the product that a larger one is made of, m x
 /// for a sandwich.

@@ -2254,6 +2254,8 @@ impl<T: Scalar> Default for Pseudoscalar<T> {
 /// and 2^-53 for f64. `|a|` is the norm of the coefficients of `a` before blades without a null generator, `|a|_0`
 /// that of its other coefficients. Where a type promises that `|a|` is 1 it is left out.
 ///
+/// Costs count a doubling, emitted as `x + x`, as a multiplication and a negation as nothing.
+///
 /// Temporaries are named where they mean something: `cross_e1` is the coefficient of `e1`, up to sign, in the
 /// commutator (m x - x m)/2 of a sandwich m x ~m, `inner_e1` that in the product that a larger one is made of, m x
 /// for a sandwich.
@@ -4085,18 +4087,18 @@ pub mod kernels {
         let t7 = m.e12 * two_m_e31;
         let two_s = m.s + m.s;
         let t8 = m.e23 * two_s;
-        let half_e02_e31 = m.e02 * two_m_e31;
-        let t9 = half_e02_e31 + half_e02_e31;
-        let half_e03_e12 = m.e03 * two_m_e12;
-        let t10 = half_e03_e12 + half_e03_e12;
-        let t11 = m.e01 * two_m_e31 + m.e02 * two_m_e23;
-        let t12 = m.e0123 * two_m_e12 - m.e03 * two_s;
-        let t13 = m.e01 * two_m_e12 + m.e03 * two_m_e23;
-        let t14 = m.e0123 * two_m_e31 - m.e02 * two_s;
-        let half_e03_e12_2 = m.e0123 * two_s;
-        let t15 = half_e03_e12_2 + half_e03_e12_2;
-        let t16 = m.e02 * two_m_e12 + m.e03 * two_m_e31;
-        let t17 = m.e01 * two_s - m.e0123 * two_m_e23;
+        let t9 = m.e02 * two_m_e31;
+        let t10 = t9 + t9;
+        let t11 = m.e03 * two_m_e12;
+        let t12 = t11 + t11;
+        let t13 = m.e01 * two_m_e31 + m.e02 * two_m_e23;
+        let t14 = m.e0123 * two_m_e12 - m.e03 * two_s;
+        let t15 = m.e01 * two_m_e12 + m.e03 * two_m_e23;
+        let t16 = m.e0123 * two_m_e31 - m.e02 * two_s;
+        let t17 = m.e0123 * two_s;
+        let t18 = t17 + t17;
+        let t19 = m.e02 * two_m_e12 + m.e03 * two_m_e31;
+        let t20 = m.e01 * two_s - m.e0123 * two_m_e23;
         LineMatrix {
             e23_e23: t0 - t1,
             e23_e31: t2 + t3,
@@ -4107,15 +4109,15 @@ pub mod kernels {
             e12_e23: t4 + t5,
             e12_e31: t7 - t8,
             e12_e12: t0 - t6,
-            e01_e23: -(t9 + t10),
-            e01_e31: t11 - t12,
-            e01_e12: t13 + t14,
-            e02_e23: t11 + t12,
-            e02_e31: t9 - t15,
-            e02_e12: t16 + t17,
-            e03_e23: t13 - t14,
-            e03_e31: t16 - t17,
-            e03_e12: t10 - t15,
+            e01_e23: -(t10 + t12),
+            e01_e31: t13 - t14,
+            e01_e12: t15 + t16,
+            e02_e23: t13 + t14,
+            e02_e31: t10 - t18,
+            e02_e12: t19 + t20,
+            e03_e23: t15 - t16,
+            e03_e31: t19 - t20,
+            e03_e12: t12 - t18,
         }
     }
     /// `m >> l`: with what [`motor_to_line_matrix`] made
