@@ -256,19 +256,14 @@ struct Done {
 impl State {
     fn read(output: Option<&Path>, fresh: bool) -> Result<Self, String> {
         let path = output.map(|path| path.with_extension("search.json"));
-        let Some(Ok(text)) =
-            path.as_ref().filter(|path| !fresh && path.exists()).map(fs::read_to_string).or_else(|| {
-                // A new search, or one without a file.
-                Some(Ok("{}".to_owned()))
-            })
-        else {
-            let path = path.as_deref().unwrap_or(Path::new("")).display();
-            return Err(format!("error: {path}: expected the state of a search, found no text; --fresh starts anew"));
+        let Some(file) = path.as_ref().filter(|file| !fresh && file.exists()) else {
+            return Ok(Self { path, entries: Map::new() });
         };
-        let entries = serde_json::from_str(&text).map_err(|error| {
-            let path = path.as_deref().unwrap_or(Path::new("")).display();
-            format!("error: {path}: expected the state of a search, found other JSON ({error}); --fresh starts anew")
-        })?;
+        let refuse = |found: String| {
+            format!("error: {}: expected the state of a search, found {found}; --fresh starts anew", file.display())
+        };
+        let text = fs::read_to_string(file).map_err(|error| refuse(error.to_string()))?;
+        let entries = serde_json::from_str(&text).map_err(|error| refuse(format!("other JSON ({error})")))?;
         Ok(Self { path, entries })
     }
 
