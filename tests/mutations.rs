@@ -14,7 +14,7 @@ mod samples;
 
 use ga_codegen::factor::factor_polynomials;
 use ga_codegen::kernel::{Analytic, Definition, Kernel};
-use ga_codegen::program::{FloatDomain, Operation, Program, Value};
+use ga_codegen::program::{FloatDomain, Operands, Operation, Program, Value};
 use ga_codegen::proof::{Refutation, prove, prove_evaluation};
 use ga_codegen::symbolic::Rational;
 use ga_codegen::{Compiled, Part};
@@ -32,7 +32,8 @@ enum Mutation {
     DroppedNegation,
     DroppedDoubling,
     DroppedRoot,
-    NegatedLimit,
+    WrongLimit,
+    LeftOut,
     SwappedQuotient,
     SwappedAtan2,
     SineForCosine,
@@ -47,14 +48,17 @@ struct Mutant {
     program: Program,
 }
 
-const EVEN: &str = "the cosine of the root and the quotient of its sine and itself are even in the root";
-const EVEN_ANGLE: &str = "the quotient of the angle and the root is even: the angle changes its sign with the root";
+const EVEN: &str =
+    "every output is even in the norm: sines, directions and the angle change their signs with it, in pairs";
+const MULTIPLIED_BY_0: &str = "where the norm is 0 the quotient is multiplied by 0";
 /// Mutants that are equal to their originals: preset, kernel, operation and mutation, and why.
-const EQUAL: [(&str, &str, &str, Mutation, &str); 4] = [
-    ("pga3d", "line_exp", "root", Mutation::NegatedResult, EVEN),
-    ("pga3d", "motor_log", "root", Mutation::NegatedResult, EVEN_ANGLE),
-    ("pga2d", "bivector_exp", "root", Mutation::NegatedResult, EVEN),
-    ("pga2d", "motor_log", "root", Mutation::NegatedResult, EVEN_ANGLE),
+const EQUAL: [(&str, &str, &str, Mutation, &str); 6] = [
+    ("pga3d", "line_exp", "norm", Mutation::NegatedResult, EVEN),
+    ("pga3d", "line_exp", "quotient", Mutation::WrongLimit, MULTIPLIED_BY_0),
+    ("pga3d", "motor_log", "norm", Mutation::NegatedResult, EVEN),
+    ("pga3d", "motor_log", "quotient", Mutation::WrongLimit, MULTIPLIED_BY_0),
+    ("pga2d", "bivector_exp", "norm", Mutation::NegatedResult, EVEN),
+    ("pga2d", "motor_log", "norm", Mutation::NegatedResult, EVEN),
 ];
 
 fn name(operation: Operation) -> &'static str {
@@ -66,7 +70,9 @@ fn name(operation: Operation) -> &'static str {
         Operation::Mul(..) => "product",
         Operation::Neg(_) => "negation",
         Operation::Double(_) => "doubling",
+        Operation::Div(..) => "division",
         Operation::Sqrt(_) => "root",
+        Operation::Norm(_) => "norm",
         Operation::Sin(_) => "sine",
         Operation::Cos(_) => "cosine",
         Operation::Atan2(..) => "arc tangent",
@@ -84,10 +90,21 @@ fn replacements(operation: Operation) -> Vec<(Mutation, Operation)> {
         Operation::Sub(a, b) => {
             vec![(AddedForSubtracted, Operation::Add(a, b)), (SwappedDifference, Operation::Sub(b, a))]
         }
-        Operation::Quotient(a, b, limit) => vec![
-            (NegatedLimit, Operation::Quotient(a, b, limit.neg())),
-            (SwappedQuotient, Operation::Quotient(b, a, limit)),
-        ],
+        Operation::Div(a, b) => vec![(SwappedQuotient, Operation::Div(b, a))],
+        Operation::Quotient(a, b, limit) => {
+            let limits = [limit.neg(), limit.checked_add(Rational::ONE).expect("a small number")];
+            let other = limits.into_iter().filter(|&other| other != limit);
+            let other = other.map(|other| (WrongLimit, Operation::Quotient(a, b, other)));
+            other.chain([(SwappedQuotient, Operation::Quotient(b, a, limit))]).collect()
+        }
+        Operation::Norm(operands) => {
+            let operands: Vec<_> = operands.iter().collect();
+            let without = |left_out: usize| {
+                let rest = operands.iter().enumerate().filter(|&(at, _)| at != left_out).map(|(_, &operand)| operand);
+                Operation::Norm(Operands::new(&rest.collect::<Vec<_>>()).expect("fewer operands"))
+            };
+            (0..operands.len()).map(|left_out| (LeftOut, without(left_out))).collect()
+        }
         Operation::Atan2(y, x) => vec![(SwappedAtan2, Operation::Atan2(x, y))],
         Operation::Sin(angle) => vec![(CosineForSine, Operation::Cos(angle))],
         Operation::Cos(angle) => vec![(SineForCosine, Operation::Sin(angle))],

@@ -136,7 +136,9 @@ fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specificatio
             SpecificationError::CannotHold(..)
             | SpecificationError::WrongConstant(..)
             | SpecificationError::BrokenPromise(..) => kernel.output_span,
-            SpecificationError::NotABivector(..) | SpecificationError::NotAUnit(..) => kernel.expression.span,
+            SpecificationError::NotABivector(..)
+            | SpecificationError::NotAUnit(..)
+            | SpecificationError::NotAStudyNumber(..) => kernel.expression.span,
             _ => kernel.span,
         };
         syn::Error::new(span, format!("kernel `{}`: {found}", kernel.name))

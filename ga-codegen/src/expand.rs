@@ -38,8 +38,9 @@ use proc_macro2::TokenStream;
 /// - Expressions have the operators `~` (reverse) and `-`; `*` (geometric product) and `/` (by a whole number); `+`, `-`; `>>`
 ///   (sandwich: `m >> x` is `m * x * ~m`); `&` (regressive product, join); `^` (outer product, meet); `|` (inner product), which
 ///   bind as in Rust, the first the tightest; and the functions `dual`, `undual`, `grade(x, k)`, `grade_involution`,
-///   `clifford_conjugate`, `left_contraction`, `right_contraction`, `scalar_product`, `commutator`, `anticommutator`. `exp` of
-///   a bivector and `log` of a parameter may stand around the whole definition.
+///   `clifford_conjugate`, `left_contraction`, `right_contraction`, `scalar_product`, `commutator`, `anticommutator`. Around the
+///   whole definition may stand `exp` of a bivector, `log` of a parameter, `normalize` of what is a unit up to a Study number
+///   (so that x ~x = 1 comes of it), or `sqrt` of a unit, the root next to the identity.
 ///
 /// - A cost model is `flops` (the default), `fma` or `latency`, see [`CostModel`](crate::program::CostModel). A kernel is
 ///   emitted once for each of its models: under its name for the first, with `_MODEL` behind it for the others.

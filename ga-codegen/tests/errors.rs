@@ -57,7 +57,7 @@ kernel h(a: Vector) -> Vector = a.e1;",
         &[
             "3:33: expected a parameter (`a`) or a blade, found `b`",
             "4:33: expected a function (dual, undual, grade_involution, clifford_conjugate, left_contraction, \
-             right_contraction, scalar_product, commutator, anticommutator, grade, exp, log), found `flip`",
+             right_contraction, scalar_product, commutator, anticommutator, grade, exp, log, normalize, sqrt), found `flip`",
             "5:33: expected a whole parameter, found its field `a.e1`",
         ],
     );
@@ -505,7 +505,7 @@ entity Rotor { s: 1, e12 } where s*s == 1 - e12*e12;
 entity Bivector { e12 }
 kernel f(r: Rotor) -> Bivector = log(r);
 kernel g(m: Even) -> Bivector = log(m);",
-        &["6:37: kernel `g`: expected an input of `log` that is a unit, m ~m = 1, found m ~m = m.s^2 + m.e12^2"],
+        &["6:37: kernel `g`: expected a unit, x ~x = 1 for x = m, found x ~x = m.s^2 + m.e12^2"],
     );
     assert_errors(
         "
@@ -516,8 +516,35 @@ entity Motor { s: 1, e23, e31, e12, e01, e02, e03, e0123 }
 kernel f(m: Motor) -> Line = log(m);"
             .replace("e31", "e13")
             .as_str(),
-        &["5:34: kernel `f`: expected an input of `log` that is a unit, m ~m = 1, found m ~m = 1 + (2 m.s m.e0123 \
+        &["5:34: kernel `f`: expected a unit, x ~x = 1 for x = m, found x ~x = 1 + (2 m.s m.e0123 \
            - 2 m.e23 m.e01 + 2 m.e13 m.e02 - 2 m.e12 m.e03) e0123"],
+    );
+}
+
+#[test]
+fn a_root_is_taken_of_a_unit_and_a_norm_is_a_study_number() {
+    assert_errors(
+        "
+signature (2, 0, 1);
+entity Even { s: 1, e12 }
+entity Everything { s: 1, e1, e2, e12 }
+kernel f(m: Even) -> Even = sqrt(m);
+kernel g(m: Everything) -> Everything = normalize(m);
+kernel h(m: Even) -> Even = normalize(e0 * e1);",
+        &[
+            "4:34: kernel `f`: expected a unit, x ~x = 1 for x = m, found x ~x = m.s^2 + m.e12^2",
+            "5:51: kernel `g`: expected a norm x ~x that is a number plus what squares to 0 and commutes with x, for \
+             x = m, found another",
+            "6:42: kernel `h`: expected a norm x ~x that is a number plus what squares to 0 and commutes with x, for \
+             x = e0 * e1, found another",
+        ],
+    );
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Even { s: 1, e12 }
+kernel f(m: Even) -> Even = 1 + normalize(m);",
+        &["3:32: expected `normalize` around the whole definition, found it inside an expression"],
     );
 }
 

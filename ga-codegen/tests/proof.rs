@@ -2,7 +2,7 @@
 
 use ga_codegen::Compiled;
 use ga_codegen::kernel::{Definition, Specification};
-use ga_codegen::program::{Operation, Program, ProgramBuilder, Value};
+use ga_codegen::program::{FloatDomain, Operation, Program, ProgramBuilder, Value};
 use ga_codegen::proof::{Proof, prove};
 use ga_codegen::symbolic::Rational;
 
@@ -18,35 +18,62 @@ fn compiled(preset: &str, kernel: &str) -> Compiled {
     ga_codegen::compile(&definition).expect("a preset that is proved").remove(0)
 }
 
-/// The root of a program, which stands for the radical.
-fn root(program: &Program) -> Value {
-    program.operations.iter().position(|operation| matches!(operation, Operation::Sqrt(_))).expect("a root")
+/// The norm that a program computes, which stands for the radical.
+fn norm(program: &Program) -> Value {
+    program.operations.iter().position(|operation| matches!(operation, Operation::Norm(_))).expect("a norm")
 }
 
-/// The program with one output times the root over the root: the same but where the root is 0.
-fn with_output_over_root(program: &Program, output: usize) -> Program {
+/// The program with one output times the norm over the norm: the same but where the norm is 0, where it is 0.
+fn with_output_over_norm(program: &Program, output: usize) -> Program {
     let mut mutant = program.clone();
-    let (root, first) = (root(program), program.operations.len());
-    mutant.operations.push(Operation::Mul(program.outputs[output], root));
-    mutant.operations.push(Operation::Quotient(first, root, Rational::ZERO));
+    let (norm, first) = (norm(program), program.operations.len());
+    mutant.operations.push(Operation::Mul(program.outputs[output], norm));
+    mutant.operations.push(Operation::Quotient(first, norm, Rational::ZERO));
     mutant.outputs[output] = first + 1;
     mutant
 }
 
-/// The limit 0 of `x l / l` is right at the origin alone, while l is 0 for every translation.
+/// The limit 0 of `x l / l` is right where x is 0 with l, and wrong where x is something for a translation.
 #[test]
-fn a_limit_holds_wherever_the_radical_is_0() {
+fn limits_are_proved_where_the_norm_is_0() {
     for (preset, kernel) in
         [("pga3d", "line_exp"), ("pga3d", "motor_log"), ("pga2d", "bivector_exp"), ("pga2d", "motor_log")]
     {
         let compiled = compiled(preset, kernel);
         assert!(matches!(prove(&compiled.specification, &compiled.program), Ok(Proof::Series(_))));
+        let translation: Vec<_> = compiled.specification.coefficients.iter().map(|c| f64::from(c.degree)).collect();
+        let translation: Vec<_> = translation
+            .iter()
+            .zip(&compiled.specification.coefficients)
+            .map(|(x, c)| if c.field == "s" { 1.0 } else { *x })
+            .collect();
+        let Ok(at_translation) = compiled.program.evaluate(&FloatDomain, &translation);
         for (output, field) in compiled.specification.fields.iter().enumerate() {
-            // Where the output vanishes with the radical the limit is right, but that is not for the proof to find out.
-            let mutant = with_output_over_root(&compiled.program, output);
+            let mutant = with_output_over_norm(&compiled.program, output);
             let proof = prove(&compiled.specification, &mutant);
-            assert!(proof.is_err(), "{kernel} {field}: {proof:?}");
+            let same = at_translation[output] == 0.0 || field == "e0123";
+            assert_eq!(proof.is_ok(), same, "{kernel} {field}: {proof:?}");
         }
+    }
+}
+
+/// A root that is the other one, or that belongs to another motion, is refuted, whatever its square.
+#[test]
+fn a_root_is_the_one_near_the_identity() {
+    for kernel in ["motor_sqrt", "even_normalize", "motor_between_lines"] {
+        let Compiled { specification, program, .. } = compiled("pga3d", kernel);
+        assert_eq!(prove(&specification, &program), Ok(Proof::Roots));
+        let mut other = program.clone();
+        for output in 0..other.outputs.len() {
+            other.operations.push(Operation::Neg(program.outputs[output]));
+            other.outputs[output] = other.operations.len() - 1;
+        }
+        assert!(prove(&specification, &other).is_err(), "{kernel}: the negative");
+        let root = program.operations.iter().position(|o| matches!(o, Operation::Sqrt(_))).expect("a root");
+        let Operation::Sqrt(square) = program.operations[root] else { panic!("a root") };
+        let mut other = program;
+        other.operations[root] = Operation::Sqrt(square.saturating_sub(1));
+        assert!(prove(&specification, &other).is_err(), "{kernel}: the root of something else");
     }
 }
 

@@ -267,9 +267,10 @@ fn a_relation_has_its_leading_monomial() {
     );
 }
 
-// Series, in three unknowns x, y, z and the radical l = sqrt(x^2 + y^2 + z^2).
+// Series, in three unknowns x, y, z of norm l = sqrt(x^2 + y^2 + z^2) and a fourth, c.
 
-const RADICAL: Symbol = 3;
+const RADICAL: Symbol = 4;
+const OTHER: Symbol = 3;
 const ORDER: usize = 10;
 
 fn ring() -> SeriesRing {
@@ -324,17 +325,32 @@ fn a_root_squares_to_its_argument() {
 }
 
 #[test]
-fn quotients_have_the_limits_that_are_stated() {
+fn unknowns_over_the_radical_are_directions() {
+    let ring = ring();
+    let radical = series(&ring, &[(1, &[RADICAL])]);
+    let directions: Vec<_> = (0..3)
+        .map(|symbol| ring.quotient(&series(&ring, &[(1, &[symbol])]), &radical).expect("x is l times a direction"))
+        .collect();
+    let squares = directions.iter().map(|n| ring.mul(n, n).expect("small numbers"));
+    let sum = squares.reduce(|a, b| ring.add(&a, &b).expect("small numbers")).expect("three");
+    assert_same(&ring, &sum, &series(&ring, &[(1, &[])]));
+    for (symbol, direction) in directions.iter().enumerate() {
+        assert_eq!(ring.degree(&monomial(&[symbol as Symbol])), 0, "directions have no degree");
+        let back = ring.mul(direction, &radical).expect("small numbers");
+        assert_same(&ring, &back, &series(&ring, &[(1, &[symbol as Symbol])]));
+    }
+}
+
+#[test]
+fn quotients_by_the_radical_lose_its_orders() {
     let ring = ring();
     let radical = series(&ring, &[(1, &[RADICAL])]);
     let sin = ring.sin(&radical).expect("no constant");
-    let sinc = ring.quotient(&sin, &radical, Rational::ONE).expect("sin l / l");
+    let sinc = ring.quotient(&sin, &radical).expect("sin l / l");
     assert_same(&ring, &ring.mul(&sinc, &radical).expect("small numbers"), &sin);
-    let wrong = ring.quotient(&sin, &radical, Rational::MINUS_ONE);
-    assert_eq!(wrong, Err(SeriesError::WrongLimit { expected: Rational::ONE, found: Rational::MINUS_ONE }));
     let square = series(&ring, &[(1, &[RADICAL, RADICAL])]);
     let difference = ring.add(&ring.cos(&radical).expect("no constant"), &ring.neg(&sinc)).expect("small numbers");
-    let g = ring.quotient(&difference, &square, rational(-1, 3)).expect("(cos l - sin l / l) / l^2");
+    let g = ring.quotient(&difference, &square).expect("(cos l - sin l / l) / l^2");
     assert_eq!(g.order(), sinc.order() - 2, "a division by l^2 costs two orders");
     assert_eq!(g.polynomial().coefficient(&Monomial::default()), rational(-1, 3));
 }
@@ -344,18 +360,19 @@ fn what_has_no_series_is_an_error() {
     let ring = ring();
     let undefined = |result: Result<Series, SeriesError>| matches!(result, Err(SeriesError::Undefined(_)));
     let (one, x) = (series(&ring, &[(1, &[])]), series(&ring, &[(1, &[0])]));
-    let radical = series(&ring, &[(1, &[RADICAL])]);
+    let (radical, other) = (series(&ring, &[(1, &[RADICAL])]), series(&ring, &[(1, &[OTHER])]));
+    let direction = ring.quotient(&x, &radical).expect("x is l times a direction");
+    assert!(undefined(ring.sin(&direction)), "a sine about a number between -1 and 1");
     assert!(undefined(ring.sin(&one)), "a sine about 1");
     assert!(undefined(ring.cos(&one)), "a cosine about 1");
     assert!(undefined(ring.sqrt(&x)), "the root of an unknown");
     assert!(undefined(ring.sqrt(&radical)), "the root of an odd power of the radical");
     assert!(undefined(ring.sqrt(&ring.neg(&one))), "the root of -1");
     assert!(undefined(ring.sqrt(&series(&ring, &[]))), "the root of 0");
-    assert!(undefined(ring.quotient(&one, &radical, Rational::ONE)), "a pole");
-    assert!(undefined(ring.quotient(&radical, &x, Rational::ONE)), "a division by an unknown");
+    assert!(undefined(ring.quotient(&one, &radical)), "a pole");
+    assert!(undefined(ring.quotient(&radical, &x)), "a division by an unknown");
     assert!(undefined(ring.atan2(&one, &x)), "an angle about a right angle");
-    let times_x = ring.mul(&x, &radical).expect("small numbers");
-    assert!(undefined(ring.quotient(&times_x, &radical, Rational::ZERO)), "a limit that depends on an unknown");
+    assert!(undefined(ring.quotient(&other, &radical)), "a quotient that grows without bound");
     let forms = [
         polynomial(&[(1, &[0, 0]), (-1, &[1, 1])]),
         polynomial(&[(-1, &[0, 0])]),

@@ -54,10 +54,10 @@ impl<T: Real> Line<T> {
     /// assert_eq!(Line::new(0.0, 0.0, 0.0, 4.0, 0.0, 0.0).inverse(), None);
     /// ```
     pub fn inverse(self) -> Option<Self> {
-        let largest = magnitude::largest(self.direction().to_array())?;
-        let scaled = self / largest;
+        let scale = magnitude::scale(self.direction().to_array())?;
+        let scaled = self * scale;
         let squared = kernels::line_norm_squared(scaled);
-        let inverse = kernels::line_adjugate(scaled) / (squared * squared) / largest;
+        let inverse = kernels::line_adjugate(scaled) / (squared * squared) * scale;
         inverse.is_finite().then_some(inverse)
     }
 
@@ -70,15 +70,13 @@ impl<T: Real> Line<T> {
     /// The length of the direction (e23, e31, e12): of the join of two points their distance.
     #[inline]
     pub fn norm(self) -> T {
-        let squared = |[e23, e31, e12]: [T; 3]| kernels::line_norm_squared(Self { e23, e31, e12, ..Self::ZERO });
-        magnitude::norm([self.e23, self.e31, self.e12], squared)
+        T::norm([self.e23, self.e31, self.e12])
     }
 
     /// The length of the moment (e01, e02, e03): for a line its norm times its distance from the origin.
     #[inline]
     pub fn ideal_norm(self) -> T {
-        let squared = |[e01, e02, e03]: [T; 3]| kernels::line_ideal_norm_squared(Self { e01, e02, e03, ..Self::ZERO });
-        magnitude::norm([self.e01, self.e02, self.e03], squared)
+        T::norm([self.e01, self.e02, self.e03])
     }
 
     /// The axis: the line of length 1 about which the screw turns and along which it slides. Of a line, which turns
@@ -96,7 +94,7 @@ impl<T: Real> Line<T> {
     /// assert_eq!(Line::new(0.0, 0.0, 0.0, 0.0, 6.0, 5.0).normalize(), None);
     /// ```
     pub fn normalize(self) -> Option<UnitLine<T>> {
-        let scaled = self / magnitude::largest(self.direction().to_array())?;
+        let scaled = self * magnitude::scale(self.direction().to_array())?;
         let axis = kernels::line_axis(scaled / kernels::line_norm_squared(scaled).sqrt());
         axis.is_finite().then_some(axis)
     }

@@ -10,17 +10,8 @@ pub(crate) fn largest<T: Real, const N: usize>(coefficients: [T; N]) -> Option<T
     usable.then_some(largest)
 }
 
-/// The square root of a squared norm, by way of coefficients near 1 where the squares overflow or underflow.
-///
-/// A squared norm above about `MIN / EPSILON^2` is as good as exact arithmetic makes it: what underflowed in it is too
-/// small to matter. Multiplying by `EPSILON^2` tells.
-pub(crate) fn norm<T: Real, const N: usize>(coefficients: [T; N], squared: impl Fn([T; N]) -> T) -> T {
-    let plain = squared(coefficients);
-    if plain.is_finite() && plain * (T::EPSILON * T::EPSILON) > T::ZERO {
-        return plain.sqrt();
-    }
-    match largest(coefficients) {
-        Some(largest) => squared(coefficients.map(|coefficient| coefficient / largest)).sqrt() * largest,
-        None => plain.sqrt(),
-    }
+/// 1 over the power of two next below the largest magnitude, by which coefficients are brought near 1 without rounding;
+/// `None` where they are all zero or one is infinite or NaN.
+pub(crate) fn scale<T: Real, const N: usize>(coefficients: [T; N]) -> Option<T> {
+    largest(coefficients).map(|largest| T::ONE / largest.power_of_two())
 }

@@ -269,7 +269,8 @@ impl<T: Real> Motor<T> {
     ///
     /// m and -m have the same logarithm, except where the scalar part is 0: on this tie, exactly half a turn, log(-m)
     /// is -log m. The logarithm of the turn by angle t about the unit line l is -t/2 l; of the translation by (x, y, z)
-    /// it is -(x e01 + y e02 + z e03)/2. NaN in gives NaN out.
+    /// it is -(x e01 + y e02 + z e03)/2. Rotations keep their digits however small they are. NaN in gives NaN out, and so do
+    /// infinite coefficients of the rotation; an infinite translation stays infinite or becomes NaN.
     ///
     /// ```
     /// use pga_motor::f64::{Direction, Line, Motor, Translator};
@@ -279,6 +280,136 @@ impl<T: Real> Motor<T> {
     /// ```
     #[inline]
     pub fn log(self) -> Line<T> {
-        kernels::motor_log(if self.s < T::ZERO { -self } else { self })
+        kernels::motor_log(self.short_way())
+    }
+
+    /// The generator of the motor itself, by at most a whole turn: exp(m.log_double_cover()) is m and not -m.
+    ///
+    /// The same as [`Self::log`] where the scalar part is not negative; otherwise the motion the long way round, between half a
+    /// turn and a whole one. The nearer m is to -1 or to the negative of a translator, the longer the moment of the axis
+    /// can be.
+    ///
+    /// `None` where there is no generator or no one axis: for -1, and for the negative of a translator, whose scalar part is
+    /// negative while nothing turns.
+    ///
+    /// ```
+    /// use pga_motor::f64::{Motor, Rotor};
+    ///
+    /// let long_way = -Motor::from(Rotor::about_z(1.0));
+    /// let generator = long_way.log_double_cover().unwrap();
+    /// assert!((generator.norm() - (std::f64::consts::PI - 0.5)).abs() < 1e-15);
+    /// assert!((generator.exp() - long_way).norm() < 1e-15);
+    /// assert_eq!((-Motor::IDENTITY).log_double_cover(), None);
+    /// ```
+    pub fn log_double_cover(self) -> Option<Line<T>> {
+        let Some(axis) = self.long_way_axis()? else { return Some(self.log()) };
+        Some((-self).log() + Line::from(axis) * T::PI)
+    }
+
+    /// The motion half way: sqrt(m) sqrt(m) is m or -m, which are the same motion. The short way, and defined for every
+    /// motor; the same for m and -m, but on the tie of exactly half a turn, where sqrt(-m) turns the other way.
+    ///
+    /// ```
+    /// use pga_motor::f64::{Motor, Rotor};
+    ///
+    /// let root = Motor::from(Rotor::about_z(3.0)).sqrt();
+    /// assert!((root - Motor::from(Rotor::about_z(1.5))).norm() < 1e-15);
+    /// ```
+    #[inline]
+    pub fn sqrt(self) -> Self {
+        kernels::motor_sqrt(self.short_way())
+    }
+
+    /// The square root of the motor itself, with a scalar part that is not negative: its square is m and not -m. Where the
+    /// scalar part of m is negative this is half of the long way round.
+    ///
+    /// `None` for -1 and for the negative of a translator, as for [`Self::log_double_cover`].
+    pub fn sqrt_double_cover(self) -> Option<Self> {
+        let Some(axis) = self.long_way_axis()? else { return Some(self.sqrt()) };
+        // m = exp(L + pi U) with -m = exp(L) about the same unit axis U, and exp(pi/2 U) = U.
+        Some((-self).sqrt() * axis)
+    }
+
+    /// The motion `exponent` times over, the short way: exp(exponent log m). `powf(0)` stays put, `powf(-1)` is the motion
+    /// back, `powf(0.5)` the same as [`Self::sqrt`] up to rounding.
+    #[inline]
+    pub fn powf(self, exponent: T) -> Self {
+        (self.log() * exponent).exp()
+    }
+
+    /// The motor without the rounding errors that many products leave in its norm and on the Study quadric: of unit norm to
+    /// rounding. For what is no motor yet, [`EvenMultivector::normalize`] says whether there is one.
+    ///
+    /// ```
+    /// use pga_motor::f32::{Motor, Rotor};
+    ///
+    /// let step = Motor::from(Rotor::about_z(0.1));
+    /// let turned = (0..10_000).fold(Motor::IDENTITY, |turned, _| (step * turned).renormalize());
+    /// assert!(turned.is_unit(2.0 * f32::EPSILON));
+    /// ```
+    #[inline]
+    pub fn renormalize(self) -> Self {
+        EvenMultivector::from(self).over_norm()
+    }
+
+    /// m or -m, whichever has a scalar part that is not negative: the motion by at most half a turn.
+    #[inline]
+    fn short_way(self) -> Self {
+        if self.s < T::ZERO { -self } else { self }
+    }
+
+    /// Where the scalar part is negative, the axis along which the bivector part runs; `Some(None)` where it is not, and
+    /// `None` where there is no axis.
+    fn long_way_axis(self) -> Option<Option<UnitLine<T>>> {
+        if self.s < T::ZERO { kernels::motor_bivector(self).normalize().map(Some) } else { Some(None) }
+    }
+}
+
+/// The motion that carries one thing to another.
+impl<T: Real> Motor<T> {
+    /// The translation that carries a point to another.
+    #[inline]
+    pub fn between_points(from: Point<T>, to: Point<T>) -> Self {
+        kernels::motor_between_points(from, to).into()
+    }
+
+    /// The turn about their common line that carries a unit plane to another, normal to normal; for parallel planes the
+    /// translation along their normal.
+    ///
+    /// `None` for planes whose normals are opposite: any axis in the plane would do; and where something is not finite.
+    ///
+    /// ```
+    /// use pga_motor::f64::{Direction, Motor, Point, UnitPlane};
+    ///
+    /// let wall = UnitPlane::from_point_and_normal(Point::new(2.0, 0.0, 0.0), Direction::X).unwrap();
+    /// let ground = UnitPlane::from_point_and_normal(Point::ORIGIN, Direction::Z).unwrap();
+    /// let motor = Motor::between_planes(wall, ground).unwrap();
+    /// let moved = motor.transform_unit_plane(wall);
+    /// assert!((moved.e3 - 1.0).abs() < 1e-15 && moved.e0.abs() < 1e-15);
+    /// assert_eq!(Motor::between_planes(wall, -wall), None);
+    /// ```
+    pub fn between_planes(from: UnitPlane<T>, to: UnitPlane<T>) -> Option<Self> {
+        let motor = kernels::motor_between_planes(from, to);
+        motor.is_finite().then_some(motor)
+    }
+
+    /// The screw about their common perpendicular that carries a unit line to another, direction to direction: a turn by
+    /// the angle between them and a slide by their distance. For lines that meet a turn, for parallel ones a translation.
+    ///
+    /// `None` for lines that run in opposite directions: any axis perpendicular to them would do; and where something is
+    /// not finite.
+    ///
+    /// ```
+    /// use pga_motor::f64::{Direction, Motor, Point, UnitLine};
+    ///
+    /// let line = |point, direction| UnitLine::from_point_and_direction(point, direction).unwrap();
+    /// let (a, b) = (line(Point::ORIGIN, Direction::X), line(Point::new(0.0, 0.0, 5.0), Direction::Y));
+    /// let motor = Motor::between_lines(a, b).unwrap();
+    /// assert!((motor.transform_origin() - Point::new(0.0, 0.0, 5.0)).norm() < 1e-15);
+    /// assert_eq!(Motor::between_lines(a, a.reverse()), None);
+    /// ```
+    pub fn between_lines(from: UnitLine<T>, to: UnitLine<T>) -> Option<Self> {
+        let motor = kernels::motor_between_lines(from, to);
+        motor.is_finite().then_some(motor)
     }
 }

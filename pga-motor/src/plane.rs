@@ -52,9 +52,9 @@ impl<T: Real> Plane<T> {
     /// assert_eq!(Plane::new(0.0, 0.0, 0.0, 3.0).inverse(), None);
     /// ```
     pub fn inverse(self) -> Option<Self> {
-        let largest = magnitude::largest(self.normal().to_array())?;
-        let scaled = self / largest;
-        let inverse = scaled / kernels::plane_norm_squared(scaled) / largest;
+        let scale = magnitude::scale(self.normal().to_array())?;
+        let scaled = self * scale;
+        let inverse = scaled / kernels::plane_norm_squared(scaled) * scale;
         inverse.is_finite().then_some(inverse)
     }
 
@@ -67,8 +67,7 @@ impl<T: Real> Plane<T> {
     /// The length of the normal (e1, e2, e3).
     #[inline]
     pub fn norm(self) -> T {
-        let squared = |[e1, e2, e3]: [T; 3]| kernels::plane_norm_squared(Self { e1, e2, e3, e0: T::ZERO });
-        magnitude::norm([self.e1, self.e2, self.e3], squared)
+        T::norm([self.e1, self.e2, self.e3])
     }
 
     /// The magnitude of e0: the norm times the distance from the origin.
@@ -87,7 +86,7 @@ impl<T: Real> Plane<T> {
     /// assert_eq!(Plane::new(0.0, 0.0, 0.0, 10.0).normalize(), None);
     /// ```
     pub fn normalize(self) -> Option<UnitPlane<T>> {
-        let scaled = self / magnitude::largest(self.normal().to_array())?;
+        let scaled = self * magnitude::scale(self.normal().to_array())?;
         let unit = scaled / kernels::plane_norm_squared(scaled).sqrt();
         unit.is_finite().then(|| unit.to_array().into())
     }

@@ -125,13 +125,13 @@ impl<T: Real> Direction<T> {
     /// The length; it overflows or underflows only where the length itself does.
     #[inline]
     pub fn norm(self) -> T {
-        magnitude::norm(self.to_array(), |coefficients| kernels::direction_norm_squared(coefficients.into()))
+        T::norm(self.to_array())
     }
 
     /// The same direction with length 1; `None` for zero and for coefficients that are not finite.
     #[inline]
     pub fn normalize(self) -> Option<Self> {
-        let scaled = self / magnitude::largest(self.to_array())?;
+        let scaled = self * magnitude::scale(self.to_array())?;
         Some(scaled / kernels::direction_norm_squared(scaled).sqrt())
     }
 
@@ -176,17 +176,13 @@ impl<T: Real> ProjectivePoint<T> {
     /// The magnitude of the weight; 0 for directions.
     #[inline]
     pub fn norm(self) -> T {
-        let squared = |[e123]: [T; 1]| kernels::projective_point_norm_squared(Self { e123, ..Self::ZERO });
-        magnitude::norm([self.e123], squared)
+        T::norm([self.e123])
     }
 
     /// The norm of the ideal part (e032, e013, e021): for a point the weight times its distance from the origin.
     #[inline]
     pub fn ideal_norm(self) -> T {
-        let squared = |[e032, e013, e021]: [T; 3]| {
-            kernels::projective_point_ideal_norm_squared(Self { e032, e013, e021, ..Self::ZERO })
-        };
-        magnitude::norm([self.e032, self.e013, self.e021], squared)
+        T::norm([self.e032, self.e013, self.e021])
     }
 
     /// The point at (e032, e013, e021) / e123; `None` at infinity: for weight 0 and where the quotients are not finite.

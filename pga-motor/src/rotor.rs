@@ -56,8 +56,8 @@ impl<T: Real> Rotor<T> {
     /// `None` for the zero quaternion and for coefficients that are not finite.
     #[inline]
     pub fn from_quaternion_xyzw(quaternion: [T; 4]) -> Option<Self> {
-        let largest = magnitude::largest(quaternion)?;
-        let [x, y, z, w] = quaternion.map(|coefficient| coefficient / largest);
+        let scale = magnitude::scale(quaternion)?;
+        let [x, y, z, w] = quaternion.map(|coefficient| coefficient * scale);
         let zero = T::ZERO;
         let norm = kernels::even_norm_squared(EvenMultivector::new(w, -x, -y, -z, zero, zero, zero, zero)).sqrt();
         Some(Self::new(w / norm, -(x / norm), -(y / norm), -(z / norm)))

@@ -38,11 +38,36 @@ pub trait Real: Scalar + PartialOrd + Div<Output = Self> {
     fn abs(self) -> Self;
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
+    /// The greatest power of two that is not above the magnitude of a finite number; for 0 and subnormal numbers the
+    /// least normal one. Dividing by it is exact and leads to a number near 1 or, from a subnormal one, to a normal one.
+    fn power_of_two(self) -> Self;
 
     /// `self / denominator`, and `limit` where the denominator is 0: a quotient with a removable singularity.
     #[inline]
     fn quotient(self, denominator: Self, limit: Self) -> Self {
         if denominator == Self::ZERO { limit } else { self / denominator }
+    }
+
+    /// The square root of the sum of the squares, though these may leave the range of the numbers.
+    ///
+    /// A sum of squares above about `MIN / EPSILON^2` is as good as exact arithmetic makes it: what underflowed in it is
+    /// too small to matter. Multiplying by `EPSILON^2` tells. Otherwise the components are scaled by a power of two, which is
+    /// exact. NaN where a component is NaN; infinite where one is infinite and none NaN.
+    #[inline]
+    fn norm<const N: usize>(components: [Self; N]) -> Self {
+        let square_sum = |components: [Self; N]| components.into_iter().fold(Self::ZERO, |sum, c| sum + c * c);
+        let plain = square_sum(components);
+        if plain.is_finite() && plain * (Self::EPSILON * Self::EPSILON) > Self::ZERO {
+            return plain.sqrt();
+        }
+        let larger = |a: Self, b: Self| if b > a { b } else { a };
+        let largest = components.into_iter().fold(Self::ZERO, |largest, component| larger(largest, component.abs()));
+        if !largest.is_finite() {
+            return plain.sqrt();
+        }
+        let scale = largest.power_of_two();
+        let inverse = Self::ONE / scale;
+        square_sum(components.map(|component| component * inverse)).sqrt() * scale
     }
 }
 
@@ -109,6 +134,11 @@ macro_rules! impl_real_with {
             #[inline]
             fn is_finite(self) -> bool {
                 $float::is_finite(self)
+            }
+            #[inline]
+            fn power_of_two(self) -> Self {
+                let exponent = $float::from_bits(self.to_bits() & $float::INFINITY.to_bits());
+                exponent.max($float::MIN_POSITIVE)
             }
         }
     };

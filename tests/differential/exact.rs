@@ -106,6 +106,9 @@ macro_rules! exact_scalar {
             fn is_finite(self) -> bool {
                 true
             }
+            fn power_of_two(self) -> Self {
+                $crate::exact::irrational()
+            }
             fn quotient(self, _: Self, _: Self) -> Self {
                 $crate::exact::irrational()
             }

@@ -262,6 +262,60 @@ pub(crate) fn log_inverts_exp(preset: &str, table: &[CompiledKernel<f64>], track
     println!("{preset}: log of exp in {cases} cases");
 }
 
+/// What `normalize` gives, x, is y over the root of its norm y ~y = A + N: x (2 A + N) = 2 sqrt(A) y up to rounding, on the
+/// reference; and so is the square root of a unit m, with y = 1 + m, whose square is m besides.
+pub(crate) fn units_are_normalized(
+    preset: &str,
+    table: &[CompiledKernel<f64>],
+    tracked_table: &[CompiledKernel<Tracked>],
+) {
+    let definition = definition(preset);
+    let kernels = find(&definition, Analytic::Normalize).into_iter().chain(find(&definition, Analytic::Sqrt));
+    let (mut cases, mut skipped) = (0, 0);
+    for (index, kernel) in kernels {
+        let output = &definition.entities[kernel.output];
+        let mut random = Random(6);
+        for _ in 0..FLOAT_CASES {
+            // The rounded inputs are taken as they are: what is compared is a function of them, not a promise.
+            let row: Vec<_> =
+                samples::row(&definition, kernel, &mut random).iter().map(|x| Tracked::new(x.to_f64())).collect();
+            let case = format!("{preset} {} {row:?}", kernel.name);
+            let value = interpret(&definition, kernel, &row);
+            let one = Multivector::scalar(value.signature(), Tracked::new(1.0));
+            let is_root = kernel.analytic == Some(Analytic::Sqrt);
+            let y = if is_root { value.add(&one) } else { value.clone() };
+            let norm = y.geometric(&y.reverse());
+            let square = norm.coefficient("1");
+            if square.value < 1e-2 {
+                skipped += 1; // -1 and its like, of which no root is asked.
+                continue;
+            }
+            let found = run_tracked(&table[index], &tracked_table[index], &row, &case);
+            let x = multivector(definition.basis.signature(), output, &found);
+            let left = x.geometric(&norm.add(&Multivector::scalar(value.signature(), square)));
+            let right = y.scale(square.sqrt() + square.sqrt());
+            assert_vanishes(&left.sub(&right), &case);
+            if is_root {
+                // The root relies on m ~m = 1, which the rounded input misses by some rounding errors, and so does the square.
+                for (blade, difference) in x.geometric(&x).sub(&value).blades() {
+                    assert!(difference.value.abs() <= difference.bound + 1e-12, "{case}: the square's {blade}");
+                }
+            }
+            cases += 1;
+        }
+    }
+    assert!(cases > 20 * skipped && cases > 0, "{preset}: {cases} cases, {skipped} skipped");
+    println!("{preset}: roots and units in {cases} cases, {skipped} skipped");
+}
+
+fn assert_vanishes(value: &Multivector<Tracked>, case: &str) {
+    for (blade, coefficient) in value.blades() {
+        let Tracked { value, bound } = coefficient;
+        assert!(bound <= 1e-9, "{case}: the bound {bound:e} says nothing");
+        assert!(value.abs() <= bound, "{case}: {value:e} > {bound:e} at {blade}");
+    }
+}
+
 /// The exponential's promises hold up to rounding, and the translators are the exponentials of ideal bivectors.
 pub(crate) fn exp_of_an_ideal_bivector_is_one_more(preset: &str, table: &[CompiledKernel<f64>]) {
     let definition = definition(preset);
@@ -319,6 +373,11 @@ macro_rules! claims {
         #[test]
         fn log_inverts_exp_below_a_half_angle_of_pi() {
             $crate::suite::log_inverts_exp($preset, &table(), &table());
+        }
+
+        #[test]
+        fn units_are_normalized_and_roots_square_to_what_they_are_of() {
+            $crate::suite::units_are_normalized($preset, &table(), &table());
         }
 
         #[test]

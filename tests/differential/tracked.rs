@@ -65,6 +65,11 @@ impl Tracked {
         if denominator == Self::new(0.0) { limit } else { self / denominator }
     }
 
+    /// A power of two is exact.
+    pub(crate) fn power_of_two(self) -> Self {
+        Self::new(pga_motor::Real::power_of_two(self.value))
+    }
+
     pub(crate) fn abs(self) -> Self {
         Self { value: self.value.abs(), ..self }
     }
@@ -148,6 +153,9 @@ macro_rules! tracked_scalar {
             }
             fn is_finite(self) -> bool {
                 self.value.is_finite()
+            }
+            fn power_of_two(self) -> Self {
+                self.power_of_two()
             }
             fn quotient(self, denominator: Self, limit: Self) -> Self {
                 self.quotient(denominator, limit)

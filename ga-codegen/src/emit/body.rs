@@ -98,9 +98,15 @@ impl Writer<'_> {
         let name = match operation {
             Operation::Input(_) | Operation::Constant(_) => return,
             Operation::Sin(angle) | Operation::Cos(angle) => return self.sine_and_cosine(angle),
-            Operation::Sqrt(_) => self.fresh("norm"),
+            Operation::Sqrt(_) | Operation::Norm(_) => self.fresh("norm"),
             Operation::Atan2(..) => self.fresh("angle"),
-            Operation::Quotient(..) => self.fresh("ratio"),
+            Operation::Quotient(numerator, denominator, _) => {
+                self.fresh(&format!("{}_over_{}", self.word(numerator), self.word(denominator)))
+            }
+            Operation::Div(..) if self.uses[value] > 1 => self.fresh("inverse"),
+            Operation::Mul(a, b) if self.uses[value] > 1 && self.is_inverse(b) && self.is_input(a) => {
+                self.fresh(&format!("unit_{}", self.word(a)))
+            }
             _ if self.uses[value] > 1 || self.doubled[value] => match self.meanings.get(&value) {
                 Some(meaning) => self.fresh(meaning),
                 None => {
@@ -113,6 +119,27 @@ impl Writer<'_> {
         let expression = self.expression(value);
         self.statements.extend(quote!(let #name = #expression;));
         self.names.insert(value, name);
+    }
+
+    fn is_input(&self, value: Value) -> bool {
+        matches!(self.program.operations[value], Operation::Input(_))
+    }
+
+    fn is_inverse(&self, value: Value) -> bool {
+        matches!(self.program.operations[value], Operation::Div(..))
+    }
+
+    /// A word for a value in the name of another.
+    fn word(&self, value: Value) -> String {
+        match (self.names.get(&value), self.program.operations[value]) {
+            (Some(name), _) => name.to_string(),
+            // Of a field access the field.
+            (None, Operation::Input(index)) => {
+                self.inputs[index].clone().into_iter().last().map_or_else(String::new, |token| token.to_string())
+            }
+            (None, Operation::Sub(..)) => "difference".to_owned(),
+            _ => "value".to_owned(),
+        }
     }
 
     /// The name, with a number behind it if it is taken.
@@ -149,7 +176,7 @@ impl Writer<'_> {
         }
         match self.program.operations[value] {
             Operation::Add(..) | Operation::Sub(..) | Operation::Double(_) => Binding::Sum,
-            Operation::Mul(..) => Binding::Product,
+            Operation::Mul(..) | Operation::Div(..) => Binding::Product,
             Operation::Neg(_) => Binding::Negation,
             _ => Binding::Atom,
         }
@@ -198,9 +225,21 @@ impl Writer<'_> {
                 let a = self.operand(a, Binding::Atom);
                 quote!(#a + #a)
             }
+            Operation::Div(a, b) => {
+                let (a, b) = (self.operand(a, Binding::Product), self.operand(b, Binding::Negation));
+                quote!(#a / #b)
+            }
             Operation::Sqrt(a) => {
                 let a = self.operand(a, Binding::Atom);
                 quote!(#a.sqrt())
+            }
+            Operation::Norm(operands) if operands.count() == 1 => {
+                let a = operands.iter().map(|operand| self.operand(operand, Binding::Atom));
+                quote!(#(#a)*.abs())
+            }
+            Operation::Norm(operands) => {
+                let components = operands.iter().map(|operand| self.expression(operand));
+                quote!(T::norm([#(#components),*]))
             }
             Operation::Sin(_) | Operation::Cos(_) => {
                 unreachable!("invariant: sines and cosines are named before they are used")

@@ -10,12 +10,19 @@ use quote::{format_ident, quote};
 
 /// Whether a program needs more than a ring.
 pub(super) fn needs_real(program: &Program) -> bool {
-    program.operations.iter().any(|operation| {
+    let is_ring = |operation: &Operation| {
         matches!(
             operation,
-            Operation::Sqrt(_) | Operation::Sin(_) | Operation::Cos(_) | Operation::Atan2(..) | Operation::Quotient(..)
+            Operation::Input(_)
+                | Operation::Constant(_)
+                | Operation::Add(..)
+                | Operation::Sub(..)
+                | Operation::Mul(..)
+                | Operation::Neg(_)
+                | Operation::Double(_)
         )
-    })
+    };
+    !program.operations.iter().all(is_ring)
 }
 
 /// The function of a kernel or of a part of one, its definition, assumptions and cost above it; the struct between the

@@ -43,9 +43,26 @@ pub(super) fn module(definition: &Definition) -> TokenStream {
                 fn abs(self) -> Self;
                 /// Whether the number is neither infinite nor NaN.
                 fn is_finite(self) -> bool;
+                /// The greatest power of two that is not above the magnitude; for 0 and subnormal numbers the least normal
+                /// one.
+                fn power_of_two(self) -> Self;
                 /// `self / denominator`, and `limit` where the denominator is 0.
                 fn quotient(self, denominator: Self, limit: Self) -> Self {
                     if denominator == Self::ZERO { limit } else { self / denominator }
+                }
+                /// The square root of the sum of the squares, though these may leave the range of the numbers.
+                fn norm<const N: usize>(components: [Self; N]) -> Self {
+                    let square_sum = |scale: Self| {
+                        let scaled = components.map(|component| component * scale);
+                        scaled.into_iter().fold(Self::ZERO, |sum, component| sum + component * component)
+                    };
+                    let larger = |a: Self, b: Self| if b > a { b } else { a };
+                    let largest = components.into_iter().fold(Self::ZERO, |largest, c| larger(largest, c.abs()));
+                    if !largest.is_finite() {
+                        return square_sum(Self::ONE).sqrt();
+                    }
+                    let scale = largest.power_of_two();
+                    square_sum(Self::ONE / scale).sqrt() * scale
                 }
             }
 
@@ -81,6 +98,11 @@ fn implementation(float: TokenStream) -> TokenStream {
             }
             fn is_finite(self) -> bool {
                 std::primitive::#float::is_finite(self)
+            }
+            fn power_of_two(self) -> Self {
+                let infinity = std::primitive::#float::INFINITY;
+                let exponent = std::primitive::#float::from_bits(self.to_bits() & infinity.to_bits());
+                exponent.max(std::primitive::#float::MIN_POSITIVE)
             }
         }
     }

@@ -56,6 +56,7 @@ pub fn factor(specification: &Specification, model: CostModel) -> Result<Program
         }
         Some(Analytic::Exp) => study::exp(specification),
         Some(Analytic::Log) => study::log(specification),
+        Some(Analytic::Normalize | Analytic::Sqrt) => study::normalize(specification),
     }
 }
 

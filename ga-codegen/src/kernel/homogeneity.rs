@@ -62,8 +62,8 @@ pub fn check_kernel(
         // What contradicts itself here is reported at the relation.
         let _ = dimensions.require_equal(polynomial);
     }
-    if matches!(specification.analytic, Some(Analytic::Exp | Analytic::Log)) {
-        // The powers in the series of exp have one degree together only where the argument has none of its own.
+    if matches!(specification.analytic, Some(Analytic::Exp | Analytic::Log | Analytic::Sqrt)) {
+        // The powers in a series have one degree together only where the argument has none of its own.
         let _ = dimensions.require(&Monomial::default(), 0, true);
     }
     for (blade, coefficient) in specification.value.terms() {

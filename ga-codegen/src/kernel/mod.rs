@@ -11,7 +11,7 @@ pub use entity::{Component, ComponentValue, Entity, Statement};
 pub use expression::{Expression, ExpressionKind, Function, Operator};
 pub use hoist::{Hoist, Projection, split};
 pub use homogeneity::{Inhomogeneous, check_kernel, check_relations};
-pub use specification::{Analytic, Coefficient, Specification, SpecificationError};
+pub use specification::{Analytic, Coefficient, Specification, SpecificationError, StudyNorm};
 
 use crate::algebra::Basis;
 use crate::program::{CostModel, Recipe};
@@ -37,7 +37,7 @@ pub struct Kernel {
     pub parameters: Vec<Parameter>,
     /// The output entity, as an index into [`Definition::entities`].
     pub output: usize,
-    /// `exp` or `log`, where the definition is that function of [`Kernel::expression`].
+    /// The function of [`Kernel::expression`] that the definition is, where it is not polynomial.
     pub analytic: Option<Analytic>,
     /// The definition, or the argument of the analytic function.
     pub expression: Expression,
@@ -70,8 +70,7 @@ impl Kernel {
         let inner = self.expression.display(&names);
         match self.analytic {
             None => inner,
-            Some(Analytic::Exp) => format!("exp({inner})"),
-            Some(Analytic::Log) => format!("log({inner})"),
+            Some(analytic) => format!("{}({inner})", analytic.name()),
         }
     }
 }

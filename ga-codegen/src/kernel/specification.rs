@@ -12,6 +12,31 @@ pub enum Analytic {
     Exp,
     /// The inverse of exp near the identity.
     Log,
+    /// The x with x w = y for a y whose norm y ~y is a Study number, its scalar part A positive and the rest N of square 0
+    /// and commuting with y; w = sqrt(A) + N / (2 sqrt(A)) is the norm's root. So x ~x = 1.
+    Normalize,
+    /// The square root of a unit: 1 + m normalised.
+    Sqrt,
+}
+
+impl Analytic {
+    /// Every function, by the name that it has in a definition.
+    pub const ALL: [(&'static str, Self); 4] =
+        [("exp", Self::Exp), ("log", Self::Log), ("normalize", Self::Normalize), ("sqrt", Self::Sqrt)];
+
+    /// Its name in a definition.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, analytic)| *analytic == self).map_or("?", |(name, _)| name)
+    }
+}
+
+/// y ~y of a multivector y, where it is a Study number.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StudyNorm {
+    /// The scalar part, in normal form.
+    pub scalar: Polynomial,
+    /// The rest, in normal form: its square is 0 and it commutes with y.
+    pub nilpotent: Multivector,
 }
 
 /// A free coefficient of an input.
@@ -38,7 +63,7 @@ pub struct Specification {
     pub stated: Vec<Polynomial>,
     /// The inputs as multivectors.
     pub inputs: Vec<Multivector>,
-    /// `exp` or `log`, where the kernel is that function of `value`.
+    /// The function of `value` that the kernel is, where it is not polynomial.
     pub analytic: Option<Analytic>,
     /// The definition, or the argument of the analytic function.
     pub expression: Expression,
@@ -71,8 +96,10 @@ pub enum SpecificationError {
     WrongConstant(String, String, String),
     /// The argument of `exp` has a coefficient of another grade than 2: blade and polynomial.
     NotABivector(String, String),
-    /// The input of `log` is not promised to be a unit: its name m, and m ~m.
+    /// The argument of `log` or `sqrt` is not promised to be a unit: its text m, and m ~m.
     NotAUnit(String, String),
+    /// The norm y ~y of what is to be normalised is no Study number.
+    NotAStudyNumber(String),
     /// The output type has a relation that the expression does not satisfy: its text and the normal form of the excess.
     BrokenPromise(String, String),
 }
@@ -102,7 +129,14 @@ impl fmt::Display for SpecificationError {
                 )
             }
             Self::NotAUnit(m, norm) => {
-                write!(f, "expected an input of `log` that is a unit, {m} ~{m} = 1, found {m} ~{m} = {norm}")
+                write!(f, "expected a unit, x ~x = 1 for x = {m}, found x ~x = {norm}")
+            }
+            Self::NotAStudyNumber(y) => {
+                write!(
+                    f,
+                    "expected a norm x ~x that is a number plus what squares to 0 and commutes with x, for x = {y}, found \
+                     another"
+                )
             }
             Self::BrokenPromise(relation, value) => {
                 write!(f, "expected an output with `{relation}`, found a difference of {value}")
@@ -188,11 +222,53 @@ impl Specification {
         match specification.analytic {
             None => specification.check_output()?,
             Some(Analytic::Exp) => specification.check_bivector()?,
-            Some(Analytic::Log) => {
-                specification.check_unit(kernel.parameters.first().map_or("", |parameter| parameter.name.as_str()))?;
+            Some(Analytic::Log) => specification.check_unit(&specification.argument(kernel))?,
+            Some(Analytic::Sqrt) => {
+                specification.check_unit(&specification.argument(kernel))?;
+                specification.study_norm(&specification.argument(kernel))?;
+            }
+            Some(Analytic::Normalize) => {
+                specification.study_norm(&specification.argument(kernel))?;
             }
         }
         Ok(specification)
+    }
+
+    /// The text of the expression.
+    fn argument(&self, kernel: &Kernel) -> String {
+        let names: Vec<_> = kernel.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+        self.expression.display(&names)
+    }
+
+    /// What `normalize` or `sqrt` normalises: the value, or one more.
+    ///
+    /// # Errors
+    /// [`Overflow`]
+    pub fn unnormalized(&self) -> Result<Multivector, Overflow> {
+        match self.analytic {
+            Some(Analytic::Sqrt) => self.value.add(&Multivector::scalar(Polynomial::one())),
+            _ => Ok(self.value.clone()),
+        }
+    }
+
+    /// The norm of [`Specification::unnormalized`]; `text` names it in an error.
+    ///
+    /// # Errors
+    /// [`SpecificationError::NotAStudyNumber`], [`Overflow`]
+    pub fn study_norm(&self, text: &str) -> Result<StudyNorm, SpecificationError> {
+        let y = self.unnormalized()?;
+        let product = |a: &Multivector, b: &Multivector| {
+            let product = a.product(Product::Geometric, b, &self.basis)?;
+            product.map(|coefficient| self.relations.normal_form(coefficient))
+        };
+        let norm = product(&y, &y.reverse())?;
+        let scalar = norm.coefficient(Blade::SCALAR);
+        let nilpotent = norm.sub(&Multivector::scalar(scalar.clone()))?;
+        let commutes = product(&nilpotent, &y)? == product(&y, &nilpotent)?;
+        if scalar.is_zero() || !commutes || !product(&nilpotent, &nilpotent)?.is_zero() {
+            return Err(SpecificationError::NotAStudyNumber(text.to_owned()));
+        }
+        Ok(StudyNorm { scalar, nilpotent })
     }
 
     /// Checks that m ~m = 1 for the value m.

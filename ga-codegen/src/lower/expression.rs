@@ -13,13 +13,11 @@ pub(super) struct Scope<'a> {
     pub(super) parameters: &'a [Parameter],
 }
 
-const ANALYTIC: [(&str, Analytic); 2] = [("exp", Analytic::Exp), ("log", Analytic::Log)];
-
 impl Scope<'_> {
-    /// The definition of a kernel: an expression, or `exp` or `log` of one.
+    /// The definition of a kernel: an expression, or an analytic function of one.
     pub(super) fn body(&self, raw: &RawExpression) -> syn::Result<(Option<Analytic>, Expression)> {
         if let RawKind::Call(name, arguments) = &raw.kind
-            && let Some((_, analytic)) = ANALYTIC.iter().find(|(known, _)| known == name)
+            && let Some((_, analytic)) = Analytic::ALL.iter().find(|(known, _)| known == name)
         {
             check_arity(name, 1, arguments, raw.span)?;
             let argument = self.expression(&arguments[0])?;
@@ -74,13 +72,14 @@ impl Scope<'_> {
             };
             return Ok(ExpressionKind::Grade(Box::new(self.expression(&arguments[0])?), grade as u32));
         }
-        if ANALYTIC.iter().any(|(known, _)| *known == name) {
+        if Analytic::ALL.iter().any(|(known, _)| *known == name) {
             let message = format!("expected `{name}` around the whole definition, found it inside an expression");
             return Err(syn::Error::new(span, message));
         }
         let Some((_, function)) = Function::ALL.iter().find(|(known, _)| *known == name) else {
             let known: Vec<_> = Function::ALL.iter().map(|(known, _)| *known).collect();
-            let message = format!("expected a function ({}, grade, exp, log), found `{name}`", known.join(", "));
+            let message =
+                format!("expected a function ({}, grade, exp, log, normalize, sqrt), found `{name}`", known.join(", "));
             return Err(syn::Error::new(span, message));
         };
         check_arity(name, function.arity(), arguments, span)?;

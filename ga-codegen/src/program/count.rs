@@ -34,8 +34,17 @@ impl Count {
                 Operation::Input(_) | Operation::Constant(_) | Operation::Neg(_) => depth[value] = below,
                 Operation::Add(..) | Operation::Sub(..) => count.add += 1,
                 Operation::Mul(..) | Operation::Double(_) => count.mul += 1,
-                Operation::Quotient(..) => count.div += 1,
+                Operation::Div(..) | Operation::Quotient(..) => count.div += 1,
                 Operation::Sqrt(_) => count.sqrt += 1,
+                Operation::Norm(operands) if operands.count() > 1 => {
+                    count.mul += operands.count();
+                    count.add += operands.count() - 1;
+                    count.sqrt += 1;
+                    // A square, the sums one after the other, and the root.
+                    depth[value] = below + operands.count() + 1;
+                }
+                // The absolute value.
+                Operation::Norm(_) => depth[value] = below,
                 Operation::Sin(_) | Operation::Cos(_) | Operation::Atan2(..) => count.trigonometric += 1,
             }
         }
@@ -70,7 +79,11 @@ fn fusable(program: &Program) -> usize {
         Operation::Add(a, b) | Operation::Sub(a, b) => single_product(a) || single_product(b),
         _ => false,
     };
-    program.operations.iter().filter(fuses).count()
+    let in_norm = |operation: &Operation| match operation {
+        Operation::Norm(operands) => operands.count().saturating_sub(1),
+        _ => 0,
+    };
+    program.operations.iter().filter(fuses).count() + program.operations.iter().map(in_norm).sum::<usize>()
 }
 
 impl fmt::Display for Count {

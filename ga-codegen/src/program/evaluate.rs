@@ -19,6 +19,8 @@ pub trait Domain {
     fn neg(&self, a: &Self::Number) -> Result<Self::Number, Self::Error>;
     /// a * b
     fn mul(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, Self::Error>;
+    /// a / b
+    fn div(&self, a: &Self::Number, b: &Self::Number) -> Result<Self::Number, Self::Error>;
     /// The square root.
     fn sqrt(&self, a: &Self::Number) -> Result<Self::Number, Self::Error>;
     /// The sine.
@@ -29,6 +31,14 @@ pub trait Domain {
     fn atan2(&self, y: &Self::Number, x: &Self::Number) -> Result<Self::Number, Self::Error>;
     /// numerator / denominator, and `limit` where the denominator is 0.
     fn quotient(&self, n: &Self::Number, d: &Self::Number, limit: Rational) -> Result<Self::Number, Self::Error>;
+    /// The square root of the sum of squares.
+    fn norm(&self, components: &[&Self::Number]) -> Result<Self::Number, Self::Error> {
+        let mut sum = self.constant(Rational::ZERO)?;
+        for component in components {
+            sum = self.add(&sum, &self.mul(component, component)?)?;
+        }
+        self.sqrt(&sum)
+    }
 }
 
 impl Program {
@@ -50,7 +60,11 @@ impl Program {
                 Operation::Mul(a, b) => domain.mul(&values[a], &values[b])?,
                 Operation::Neg(a) => domain.neg(&values[a])?,
                 Operation::Double(a) => domain.add(&values[a], &values[a])?,
+                Operation::Div(a, b) => domain.div(&values[a], &values[b])?,
                 Operation::Sqrt(a) => domain.sqrt(&values[a])?,
+                Operation::Norm(operands) => {
+                    domain.norm(&operands.iter().map(|operand| &values[operand]).collect::<Vec<_>>())?
+                }
                 Operation::Sin(a) => domain.sin(&values[a])?,
                 Operation::Cos(a) => domain.cos(&values[a])?,
                 Operation::Atan2(y, x) => domain.atan2(&values[y], &values[x])?,
@@ -81,6 +95,9 @@ impl Domain for FloatDomain {
     }
     fn mul(&self, a: &f64, b: &f64) -> Result<f64, Infallible> {
         Ok(a * b)
+    }
+    fn div(&self, a: &f64, b: &f64) -> Result<f64, Infallible> {
+        Ok(a / b)
     }
     fn sqrt(&self, a: &f64) -> Result<f64, Infallible> {
         Ok(a.sqrt())

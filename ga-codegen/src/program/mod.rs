@@ -5,6 +5,7 @@ mod builder;
 mod cost;
 mod count;
 mod evaluate;
+mod operands;
 mod recipe;
 
 pub use bound::{Bound, BoundTerm, Group, GroupBound, Norm};
@@ -12,6 +13,7 @@ pub use builder::ProgramBuilder;
 pub use cost::CostModel;
 pub use count::Count;
 pub use evaluate::{Domain, FloatDomain};
+pub use operands::Operands;
 pub use recipe::{Recipe, RecipeTerm};
 
 use crate::symbolic::Rational;
@@ -36,8 +38,12 @@ pub enum Operation {
     Neg(Value),
     /// 2 a, computed as a + a
     Double(Value),
+    /// a / b
+    Div(Value, Value),
     /// The square root.
     Sqrt(Value),
+    /// The square root of the sum of the squares, whatever their range.
+    Norm(Operands),
     /// The sine.
     Sin(Value),
     /// The cosine.
@@ -51,14 +57,18 @@ pub enum Operation {
 impl Operation {
     /// The values that it uses.
     pub fn operands(self) -> impl Iterator<Item = Value> {
-        let (a, b) = match self {
-            Self::Input(_) | Self::Constant(_) => (None, None),
-            Self::Neg(a) | Self::Double(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => (Some(a), None),
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Atan2(a, b) | Self::Quotient(a, b, _) => {
-                (Some(a), Some(b))
-            }
+        let operands = match self {
+            Self::Input(_) | Self::Constant(_) => Operands::default(),
+            Self::Neg(a) | Self::Double(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => Operands::from([a]),
+            Self::Add(a, b)
+            | Self::Sub(a, b)
+            | Self::Mul(a, b)
+            | Self::Div(a, b)
+            | Self::Atan2(a, b)
+            | Self::Quotient(a, b, _) => Operands::from([a, b]),
+            Self::Norm(operands) => operands,
         };
-        a.into_iter().chain(b)
+        operands.iter()
     }
 
     /// The same operation on other operands.
@@ -71,7 +81,9 @@ impl Operation {
             Self::Mul(a, b) => Self::Mul(map(a), map(b)),
             Self::Neg(a) => Self::Neg(map(a)),
             Self::Double(a) => Self::Double(map(a)),
+            Self::Div(a, b) => Self::Div(map(a), map(b)),
             Self::Sqrt(a) => Self::Sqrt(map(a)),
+            Self::Norm(operands) => Self::Norm(operands.map(map)),
             Self::Sin(a) => Self::Sin(map(a)),
             Self::Cos(a) => Self::Cos(map(a)),
             Self::Atan2(a, b) => Self::Atan2(map(a), map(b)),

@@ -98,6 +98,16 @@ impl Relations {
         Ok(rules)
     }
 
+    /// These relations and `root`^2 = `square`, for a symbol that is in none of them and not in the square. Its square is
+    /// coprime to the leading monomials, and greater than `square` in an order that has the symbol first: so termination and
+    /// confluence stay.
+    #[must_use]
+    pub(crate) fn with_square(&self, root: Symbol, square: Polynomial) -> Self {
+        let mut rules = self.0.clone();
+        rules.push(Rule { leading: Monomial::new(vec![root, root]), replacement: square });
+        Self(rules)
+    }
+
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

@@ -1,12 +1,13 @@
-//! Formal power series in several unknowns, truncated by total degree.
+//! Formal power series about 0 in polar coordinates, truncated by total degree.
 //!
-//! The ring is Q[[x_1 ... x_n]] with one more unknown `l`, the radical, that satisfies l^2 = A for a quadratic form A
-//! in the unknowns: what a proof of `exp` or `log` needs, where l is the norm of a bivector. As A is homogeneous, so is
-//! the rule that rewrites A to l^2, and truncation by degree commutes with it. Where a series must be inverted or have
-//! its root taken, it has to be one in the radical alone.
+//! What a proof of `exp` or `log` needs, where l is the norm of a bivector: let A be a sum of squares of unknowns with
+//! positive coefficients, A = sum a_i x_i^2. Wherever A is not 0 its unknowns are x_i = l n_i with l = sqrt(A) > 0, the
+//! radical, and n_i on the ellipsoid sum a_i n_i^2 = 1, the directions. Series are in l and the other unknowns; their
+//! coefficients are polynomials in the directions modulo that relation. So l divides x_i, and what a program computes as
+//! x_i / l is a series, n_i. Directions have degree 0 and the relation is homogeneous, so it commutes with truncation. Where
+//! a series must be inverted or have its root taken, it has to be one in the radical alone.
 //!
-//! A must be a sum of squares with positive coefficients. So l is real everywhere, and it is 0 where all the unknowns in
-//! A are 0, which need not be the origin: the other unknowns may have any values there.
+//! Where A is 0 there are no polar coordinates; that place is for others to look at.
 
 use super::polynomial::{Monomial, Polynomial, Symbol};
 use super::rational::{Overflow, Rational};
@@ -34,11 +35,6 @@ impl Series {
     fn constant_term(&self) -> Rational {
         self.polynomial.coefficient(&Monomial::default())
     }
-
-    /// The least degree that occurs, or the first unknown one.
-    fn valuation(&self) -> usize {
-        self.polynomial.terms().map(|(monomial, _)| monomial.degree()).min().unwrap_or(self.order + 1)
-    }
 }
 
 /// Why an operation on series has no result.
@@ -48,13 +44,6 @@ pub enum SeriesError {
     Overflow,
     /// The operation is not defined for this series; the text says what was expected and found.
     Undefined(String),
-    /// A quotient's value where the radical is 0 differs from the limit that the program states.
-    WrongLimit {
-        /// The value of the series where the radical is 0.
-        expected: Rational,
-        /// The limit in the program.
-        found: Rational,
-    },
 }
 
 impl From<Overflow> for SeriesError {
@@ -68,23 +57,22 @@ impl fmt::Display for SeriesError {
         match self {
             Self::Overflow => Overflow.fmt(f),
             Self::Undefined(text) => f.write_str(text),
-            Self::WrongLimit { expected, found } => {
-                write!(f, "expected the limit {expected} of a quotient, found {found}")
-            }
         }
     }
 }
 
-/// The ring: how many degrees are kept, and the radical with its relation.
+/// The ring: how many degrees are kept, the radical, and the directions with their relation.
 #[derive(Clone, Debug)]
 pub struct SeriesRing {
     order: usize,
     radical: Symbol,
+    directions: Vec<Symbol>,
     relations: Relations,
 }
 
 impl SeriesRing {
-    /// Series up to total degree `order` in which the symbol `radical` squares to `square`.
+    /// Series up to total degree `order` where the unknowns in `square` are the symbol `radical` times a direction each,
+    /// named by the unknown's own symbol.
     ///
     /// # Errors
     /// A `square` that is not a sum of squares of unknowns with positive coefficients; 0 is one.
@@ -97,27 +85,56 @@ impl SeriesRing {
                 "expected a sum of squares as the square of a radical, found another polynomial".to_owned(),
             ));
         }
+        let directions = square.terms().map(|(monomial, _)| monomial.symbols()[0]).collect();
         let leading = square.terms().map(|(monomial, _)| monomial.clone()).next();
         let mut polynomial = square.clone();
-        polynomial.add_term(Monomial::new(vec![radical, radical]), Rational::MINUS_ONE)?;
+        polynomial.add_term(Monomial::default(), Rational::MINUS_ONE)?;
         let relation = leading.and_then(|leading| Relation::new(polynomial, leading));
         let relations: Vec<_> = relation.into_iter().collect();
         let relations = Relations::new(&relations)
             .map_err(|_| SeriesError::Undefined("expected a radical whose rule terminates".to_owned()))?;
-        Ok(Self { order, radical, relations })
+        Ok(Self { order, radical, directions, relations })
     }
 
-    /// A polynomial as a series.
+    /// The unknowns that are the radical times a direction.
+    pub fn directions(&self) -> &[Symbol] {
+        &self.directions
+    }
+
+    /// A polynomial in the unknowns as a series.
     ///
     /// # Errors
     /// [`Overflow`]
     pub fn series(&self, polynomial: &Polynomial) -> Result<Series, Overflow> {
+        let mut polar = Polynomial::zero();
+        for (monomial, coefficient) in polynomial.terms() {
+            let radicals = monomial.symbols().iter().filter(|symbol| self.directions.contains(symbol)).count();
+            polar.add_term(monomial.times(&Monomial::new(vec![self.radical; radicals])), coefficient)?;
+        }
+        self.truncated(&polar, self.order)
+    }
+
+    /// The degree of a monomial, directions not counted.
+    pub fn degree(&self, monomial: &Monomial) -> usize {
+        monomial.symbols().iter().filter(|symbol| !self.directions.contains(symbol)).count()
+    }
+
+    /// The least degree that occurs in a series, or the first unknown one.
+    fn valuation(&self, a: &Series) -> usize {
+        a.polynomial.terms().map(|(monomial, _)| self.degree(monomial)).min().unwrap_or(a.order + 1)
+    }
+
+    /// A polynomial in radical, directions and other unknowns as a series.
+    ///
+    /// # Errors
+    /// [`Overflow`]
+    pub fn polar(&self, polynomial: &Polynomial) -> Result<Series, Overflow> {
         self.truncated(polynomial, self.order)
     }
 
     fn truncated(&self, polynomial: &Polynomial, order: usize) -> Result<Series, Overflow> {
         let mut kept = Polynomial::zero();
-        for (monomial, coefficient) in polynomial.terms().filter(|(monomial, _)| monomial.degree() <= order) {
+        for (monomial, coefficient) in polynomial.terms().filter(|(monomial, _)| self.degree(monomial) <= order) {
             kept.add_term(monomial.clone(), coefficient)?;
         }
         Ok(Series { polynomial: self.relations.normal_form(&kept)?, order })
@@ -141,11 +158,11 @@ impl SeriesRing {
     /// # Errors
     /// [`Overflow`]
     pub fn mul(&self, a: &Series, b: &Series) -> Result<Series, Overflow> {
-        let order = (a.order + b.valuation()).min(b.order + a.valuation()).min(self.order);
+        let order = (a.order + self.valuation(b)).min(b.order + self.valuation(a)).min(self.order);
         let mut product = Polynomial::zero();
         for (monomial, coefficient) in a.polynomial.terms() {
             for (other, other_coefficient) in b.polynomial.terms() {
-                if monomial.degree() + other.degree() <= order {
+                if self.degree(monomial) + self.degree(other) <= order {
                     product.add_term(monomial.times(other), coefficient.checked_mul(other_coefficient)?)?;
                 }
             }
@@ -153,15 +170,15 @@ impl SeriesRing {
         self.truncated(&product, order)
     }
 
-    /// sum of `coefficients(n)` * a^n, for a series without constant term.
+    /// sum of `coefficients(n)` * a^n, for a series without terms of degree 0.
     fn compose(
         &self,
         a: &Series,
         mut coefficients: impl FnMut(usize) -> Result<Rational, Overflow>,
     ) -> Result<Series, SeriesError> {
-        if !a.constant_term().is_zero() {
+        if self.valuation(a) == 0 {
             return Err(SeriesError::Undefined(
-                "expected a series without constant term, found one with it".to_owned(),
+                "expected a series without terms of degree 0, found one with them".to_owned(),
             ));
         }
         let mut sum = self.series(&Polynomial::constant(coefficients(0)?))?;
@@ -175,7 +192,7 @@ impl SeriesRing {
         Ok(sum)
     }
 
-    /// The sine of a series without constant term.
+    /// The sine of a series without terms of degree 0.
     ///
     /// # Errors
     /// [`SeriesError`]
@@ -187,7 +204,7 @@ impl SeriesRing {
         })
     }
 
-    /// The cosine of a series without constant term.
+    /// The cosine of a series without terms of degree 0.
     ///
     /// # Errors
     /// [`SeriesError`]
@@ -199,7 +216,7 @@ impl SeriesRing {
         })
     }
 
-    /// The angle of the point (x, y) near (1, 0): arctan(y / x), for x with constant term 1 and y without one.
+    /// The angle of the point (x, y) near (1, 0): arctan(y / x), for x whose terms of degree 0 are 1 and y without any.
     ///
     /// # Errors
     /// [`SeriesError`]
@@ -215,7 +232,7 @@ impl SeriesRing {
         })
     }
 
-    /// A power, of rational exponent, of a series with constant term 1, by the binomial series.
+    /// A power, of rational exponent, of a series whose terms of degree 0 are 1, by the binomial series.
     fn unit_power(&self, a: &Series, exponent: Rational) -> Result<Series, SeriesError> {
         let rest = self.add(a, &self.series(&Polynomial::constant(Rational::MINUS_ONE))?)?;
         let mut binomial = Rational::ONE;
@@ -231,7 +248,7 @@ impl SeriesRing {
     /// Writes a series as l^k (c + ...) with l the radical and c not 0: returns k, c and the series divided by c l^k.
     fn leading_power(&self, a: &Series) -> Result<(usize, Rational, Series), SeriesError> {
         let radical_only = |(monomial, _): (&Monomial, Rational)| monomial.symbols().iter().all(|&s| s == self.radical);
-        let k = a.valuation();
+        let k = self.valuation(a);
         if a.polynomial.is_zero() || !a.polynomial.terms().all(radical_only) {
             return Err(SeriesError::Undefined("expected a non-zero series in the radical alone".to_owned()));
         }
@@ -273,28 +290,16 @@ impl SeriesRing {
         Ok(Series { polynomial: root.polynomial.mul(&factor)?, order: (root.order + k / 2).min(self.order) })
     }
 
-    /// The quotient of two series, the denominator in the radical alone; wherever the radical is 0, its value must be
-    /// `limit`: every other term must contain the radical.
+    /// The quotient of two series, the denominator in the radical alone, wherever the radical is not 0.
     ///
     /// # Errors
     /// [`SeriesError`]
-    pub fn quotient(&self, numerator: &Series, denominator: &Series, limit: Rational) -> Result<Series, SeriesError> {
+    pub fn quotient(&self, numerator: &Series, denominator: &Series) -> Result<Series, SeriesError> {
         let (k, coefficient, unit) = self.leading_power(denominator)?;
         let shifted = self.divided_by_radical(numerator, k)?;
         let quotient = self.mul(&shifted, &self.unit_power(&unit, Rational::MINUS_ONE)?)?;
         let inverse = Rational::ONE.checked_div(coefficient)?.ok_or(Overflow)?;
-        let quotient = Series { polynomial: quotient.polynomial.scale(inverse)?, order: quotient.order };
-        let mut without_radical = Polynomial::zero();
-        for (monomial, coefficient) in quotient.polynomial.terms().filter(|(m, _)| m.power(self.radical) == 0) {
-            without_radical.add_term(monomial.clone(), coefficient)?;
-        }
-        match without_radical.as_constant() {
-            Some(expected) if expected == limit => Ok(quotient),
-            Some(expected) => Err(SeriesError::WrongLimit { expected, found: limit }),
-            None => Err(SeriesError::Undefined(
-                "expected a quotient with one limit wherever the radical is 0, found one whose limit varies".to_owned(),
-            )),
-        }
+        Ok(Series { polynomial: quotient.polynomial.scale(inverse)?, order: quotient.order })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Bivectors: points of any weight, and generators of motions.
 
 use super::{Bivector, Line, Motor, Point, kernels};
-use crate::{Real, Scalar, magnitude};
+use crate::{Real, Scalar};
 
 impl<T: Scalar> Bivector<T> {
     /// ~b: the negative, as of all bivectors.
@@ -27,13 +27,19 @@ impl<T: Real> Bivector<T> {
     /// The magnitude of the weight e12; 0 for directions.
     #[inline]
     pub fn norm(self) -> T {
-        magnitude::norm([self.e12], |[e12]| kernels::bivector_norm_squared(Self { e12, ..Self::ZERO }))
+        self.e12.abs()
     }
 
     /// The norm of the ideal part (e01, e20): for a point the weight times its distance from the origin.
     #[inline]
     pub fn ideal_norm(self) -> T {
         self.dual().norm()
+    }
+
+    /// The bivector with a weight of 1 or -1; `None` where the weight is 0 or the result not finite.
+    pub(super) fn over_norm(self) -> Option<Self> {
+        let unit = self / self.norm();
+        unit.is_finite().then_some(unit)
     }
 
     /// The point at (e20, e01) / e12; `None` at infinity: for weight 0 and where the quotients are not finite.

@@ -33,8 +33,7 @@ impl<T: Real> EvenMultivector<T> {
     /// The norm of the Euclidean part (s, e12).
     #[inline]
     pub fn norm(self) -> T {
-        let squared = |[s, e12]: [T; 2]| kernels::even_norm_squared(Self { s, e12, ..Self::ZERO });
-        magnitude::norm([self.s, self.e12], squared)
+        T::norm([self.s, self.e12])
     }
 
     /// The norm of the ideal part (e01, e20): for a motor half the distance by which it moves the origin.
@@ -47,9 +46,9 @@ impl<T: Real> EvenMultivector<T> {
     ///
     /// `None` where the norm, that of the Euclidean part, is 0, or something is not finite.
     pub fn inverse(self) -> Option<Self> {
-        let largest = magnitude::largest([self.s, self.e12])?;
-        let scaled = self / largest;
-        let inverse = scaled.reverse() / kernels::even_norm_squared(scaled) / largest;
+        let scale = magnitude::scale([self.s, self.e12])?;
+        let scaled = self * scale;
+        let inverse = scaled.reverse() / kernels::even_norm_squared(scaled) * scale;
         inverse.is_finite().then_some(inverse)
     }
 
@@ -62,23 +61,27 @@ impl<T: Real> EvenMultivector<T> {
     /// The motor that this is a multiple of. In the plane every even element with a Euclidean part is a multiple of
     /// one.
     ///
-    /// `None` where the Euclidean part is 0 or something is not finite.
+    /// Scaling by a power of two changes nothing, not a bit, as long as nothing underflows or overflows.
+    ///
+    /// `None` where the Euclidean part is 0, something is not finite, or the ideal part is so much larger than the Euclidean
+    /// one that the result is not finite.
     ///
     /// ```
     /// use pga_motor::pga2d::f64::{EvenMultivector, Motor};
     ///
-    /// let even = EvenMultivector::new(3.0, 4.0, 10.0, 5.0);
-    /// assert_eq!(even.normalize(), Some(Motor::new(0.6, 0.8, 2.0, 1.0)));
+    /// let even = EvenMultivector::new(0.0, -2.0, 10.0, 6.0);
+    /// assert_eq!(even.normalize(), Some(Motor::new(0.0, -1.0, 5.0, 3.0)));
     /// assert_eq!(EvenMultivector::new(0.0, 0.0, 10.0, 5.0).normalize(), None);
     /// ```
     pub fn normalize(self) -> Option<Motor<T>> {
-        let motor = (self / magnitude::largest([self.s, self.e12])?).over_norm();
+        let motor = (self * magnitude::scale([self.s, self.e12])?).over_norm();
         motor.is_finite().then_some(motor)
     }
 
-    /// The motor that this is a multiple of, where the caller knows that there is one.
+    /// The motor that this is a multiple of, where the caller knows that there is one and that the square of the norm is in
+    /// the range of the numbers.
     #[inline]
     pub(super) fn over_norm(self) -> Motor<T> {
-        (self / self.norm()).to_array().into()
+        kernels::even_normalize(self)
     }
 }

@@ -46,9 +46,9 @@ impl<T: Real> Line<T> {
     ///
     /// `None` where the norm is 0 (the line at infinity), or something is not finite.
     pub fn inverse(self) -> Option<Self> {
-        let largest = magnitude::largest(self.normal().to_array())?;
-        let scaled = self / largest;
-        let inverse = scaled / kernels::line_norm_squared(scaled) / largest;
+        let scale = magnitude::scale(self.normal().to_array())?;
+        let scaled = self * scale;
+        let inverse = scaled / kernels::line_norm_squared(scaled) * scale;
         inverse.is_finite().then_some(inverse)
     }
 
@@ -61,8 +61,7 @@ impl<T: Real> Line<T> {
     /// The length of the normal (e1, e2): of the join of two points their distance.
     #[inline]
     pub fn norm(self) -> T {
-        let squared = |[e1, e2]: [T; 2]| kernels::line_norm_squared(Self { e1, e2, e0: T::ZERO });
-        magnitude::norm([self.e1, self.e2], squared)
+        T::norm([self.e1, self.e2])
     }
 
     /// The magnitude of e0: the norm times the distance from the origin.
@@ -74,7 +73,7 @@ impl<T: Real> Line<T> {
     /// The same line with a normal of length 1; `None` where the normal is 0 (the line at infinity) or something is not
     /// finite.
     pub fn normalize(self) -> Option<UnitLine<T>> {
-        let scaled = self / magnitude::largest(self.normal().to_array())?;
+        let scaled = self * magnitude::scale(self.normal().to_array())?;
         let unit = scaled / kernels::line_norm_squared(scaled).sqrt();
         unit.is_finite().then(|| unit.to_array().into())
     }

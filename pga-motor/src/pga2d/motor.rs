@@ -144,10 +144,97 @@ impl<T: Real> Motor<T> {
     ///
     /// m and -m have the same logarithm, except where the scalar part is 0: on this tie, exactly half a turn, log(-m)
     /// is -log m. The logarithm of the turn by angle t about the point p is -t/2 p; of the translation by (x, y) it is
-    /// -(x e01 - y e20)/2. NaN in gives NaN out.
+    /// -(x e01 - y e20)/2. Rotations keep their digits however small they are. NaN in gives NaN out, and so do infinite
+    /// coefficients of the rotation; an infinite translation stays infinite or becomes NaN.
     #[inline]
     pub fn log(self) -> Bivector<T> {
-        kernels::motor_log(if self.s < T::ZERO { -self } else { self })
+        kernels::motor_log(self.short_way())
+    }
+
+    /// The generator of the motor itself, by at most a whole turn: exp(m.log_double_cover()) is m and not -m.
+    ///
+    /// The same as [`Self::log`] where the scalar part is not negative; otherwise the motion the long way round.
+    ///
+    /// `None` where there is no generator or no one centre: for -1, and for the negative of a translator.
+    ///
+    /// ```
+    /// use pga_motor::pga2d::f64::{Motor, Point};
+    ///
+    /// let long_way = -Motor::about(Point::new(3.0, 4.0), 1.0);
+    /// let generator = long_way.log_double_cover().unwrap();
+    /// assert!((generator.norm() - (std::f64::consts::PI - 0.5)).abs() < 1e-15);
+    /// assert_eq!((-Motor::IDENTITY).log_double_cover(), None);
+    /// ```
+    pub fn log_double_cover(self) -> Option<Bivector<T>> {
+        let Some(center) = self.long_way_center()? else { return Some(self.log()) };
+        Some((-self).log() + center * T::PI)
+    }
+
+    /// The motion half way: sqrt(m) sqrt(m) is m or -m, which are the same motion. The short way, and defined for every
+    /// motor; the same for m and -m, but on the tie of exactly half a turn, where sqrt(-m) turns the other way.
+    #[inline]
+    pub fn sqrt(self) -> Self {
+        kernels::motor_sqrt(self.short_way())
+    }
+
+    /// The square root of the motor itself, with a scalar part that is not negative: its square is m and not -m. Where the
+    /// scalar part of m is negative this is half of the long way round.
+    ///
+    /// `None` for -1 and for the negative of a translator, as for [`Self::log_double_cover`].
+    pub fn sqrt_double_cover(self) -> Option<Self> {
+        let Some(center) = self.long_way_center()? else { return Some(self.sqrt()) };
+        // m = exp(L + pi P) with -m = exp(L) about the same unit point P, and exp(pi/2 P) = P.
+        let root = EvenMultivector::from((-self).sqrt()) * EvenMultivector::from(center);
+        Some(root.to_array().into())
+    }
+
+    /// The motion `exponent` times over, the short way: exp(exponent log m).
+    #[inline]
+    pub fn powf(self, exponent: T) -> Self {
+        (self.log() * exponent).exp()
+    }
+
+    /// The motor without the rounding errors that many products leave in its norm: of unit norm to rounding.
+    #[inline]
+    pub fn renormalize(self) -> Self {
+        EvenMultivector::from(self).over_norm()
+    }
+
+    /// m or -m, whichever has a scalar part that is not negative: the motion by at most half a turn.
+    #[inline]
+    fn short_way(self) -> Self {
+        if self.s < T::ZERO { -self } else { self }
+    }
+
+    /// Where the scalar part is negative, the bivector part over its norm: the centre, of weight 1 or -1; `Some(None)` where
+    /// it is not, and `None` where there is no centre.
+    fn long_way_center(self) -> Option<Option<Bivector<T>>> {
+        if self.s < T::ZERO { kernels::motor_bivector(self).over_norm().map(Some) } else { Some(None) }
+    }
+
+    /// The translation that carries a point to another.
+    #[inline]
+    pub fn between_points(from: Point<T>, to: Point<T>) -> Self {
+        kernels::motor_between_points(from, to).into()
+    }
+
+    /// The turn about the point where they meet that carries a unit line to another, normal to normal; for parallel lines the
+    /// translation along their normal.
+    ///
+    /// `None` for lines that run in opposite directions, any point on the line half way would do; and where something is not
+    /// finite.
+    ///
+    /// ```
+    /// use pga_motor::pga2d::f64::{Motor, Point, UnitLine};
+    ///
+    /// let (level, upright) = (UnitLine::new(0.0, 1.0, -2.0), UnitLine::new(1.0, 0.0, -3.0));
+    /// let motor = Motor::between_lines(level, upright).unwrap();
+    /// assert!(motor.transform_point(Point::new(3.0, 2.0)).distance_to_point(Point::new(3.0, 2.0)) < 1e-14);
+    /// assert_eq!(Motor::between_lines(level, -level), None);
+    /// ```
+    pub fn between_lines(from: UnitLine<T>, to: UnitLine<T>) -> Option<Self> {
+        let motor = kernels::motor_between_lines(from, to);
+        motor.is_finite().then_some(motor)
     }
 
     /// From this motion at t = 0 to the other at t = 1 the short way: a (1 - t) + b t, made unit again, with -b in

@@ -27,24 +27,22 @@ impl<T: Real> OddMultivector<T> {
     /// The norm of the Euclidean part (e1, e2).
     #[inline]
     pub fn norm(self) -> T {
-        let squared = |[e1, e2]: [T; 2]| kernels::odd_norm_squared(Self { e1, e2, ..Self::ZERO });
-        magnitude::norm([self.e1, self.e2], squared)
+        T::norm([self.e1, self.e2])
     }
 
     /// The norm of the ideal part (e0, e012).
     #[inline]
     pub fn ideal_norm(self) -> T {
-        let squared = |[e0, e012]: [T; 2]| kernels::odd_ideal_norm_squared(Self { e0, e012, ..Self::ZERO });
-        magnitude::norm([self.e0, self.e012], squared)
+        T::norm([self.e0, self.e012])
     }
 
     /// The element whose product with this one, on either side, is 1: ~m over the square of the norm.
     ///
     /// `None` where the norm, that of the Euclidean part, is 0, or something is not finite.
     pub fn inverse(self) -> Option<Self> {
-        let largest = magnitude::largest([self.e1, self.e2])?;
-        let scaled = self / largest;
-        let inverse = scaled.reverse() / kernels::odd_norm_squared(scaled) / largest;
+        let scale = magnitude::scale([self.e1, self.e2])?;
+        let scaled = self * scale;
+        let inverse = scaled.reverse() / kernels::odd_norm_squared(scaled) * scale;
         inverse.is_finite().then_some(inverse)
     }
 }

@@ -101,13 +101,13 @@ impl<T: Real> Direction<T> {
     /// The length; it overflows or underflows only where the length itself does.
     #[inline]
     pub fn norm(self) -> T {
-        magnitude::norm(self.to_array(), |coefficients| kernels::direction_norm_squared(coefficients.into()))
+        T::norm(self.to_array())
     }
 
     /// The same direction with length 1; `None` for zero and for coefficients that are not finite.
     #[inline]
     pub fn normalize(self) -> Option<Self> {
-        let scaled = self / magnitude::largest(self.to_array())?;
+        let scaled = self * magnitude::scale(self.to_array())?;
         Some(scaled / kernels::direction_norm_squared(scaled).sqrt())
     }
 
