@@ -28,6 +28,7 @@
 //! The block's grammar is that of [`expand`].
 
 pub mod algebra;
+pub mod approximation;
 mod compile;
 pub mod emit;
 mod expand;

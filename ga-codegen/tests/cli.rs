@@ -417,3 +417,28 @@ fn parts_and_variants_go_by_their_names() {
         assert!(emitted.contains(&format!("pub fn {name}<T: Scalar>(")), "{emitted}");
     }
 }
+
+// fit
+
+#[test]
+fn fit_computes_the_polynomials_that_are_there() {
+    let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/approximation/tables.rs");
+    let output = file("tables.rs", "");
+    let said = printed(&["fit", "-o", text(&output)]);
+    let written = std::fs::read_to_string(&output).expect("the written file");
+    let there = std::fs::read_to_string(&tables).expect("the polynomials");
+    let renew = "renew them: cargo run --release -- fit -o ga-codegen/src/approximation/tables.rs";
+    assert!(written == there, "the polynomials of {} are not those that fit computes; {renew}", tables.display());
+
+    // Function, precision, degree, interval, and the errors of the minimax, of what is rounded, and of its values by Horner's rule.
+    let lines: Vec<&str> = said.lines().collect();
+    assert_eq!(lines.len(), 12, "{said}");
+    assert!(lines[0].starts_with("function ") && lines[0].ends_with(" minimax / u  rounded / u  Horner / u"), "{said}");
+    assert!(lines[1].starts_with("cos_root     f32       5  [0, 2.5] "), "{said}");
+    assert!(lines[10].starts_with("angle_slope  f64      22  [-0.0009765625, 1] "), "{said}");
+    assert_eq!(lines[11], format!("{}: 10 polynomials", output.display()));
+    for line in &lines[1..11] {
+        let errors: Vec<f64> = line.split_whitespace().rev().take(3).map(|error| error.parse().expect(line)).collect();
+        assert!(errors[2] <= errors[1] && errors[1] < errors[0] && errors[0] < 2.5, "{line}");
+    }
+}

@@ -1,6 +1,7 @@
-//! `ga-codegen report | emit | table`.
+//! `ga-codegen report | emit | search | table | fit`.
 
 mod emit;
+mod fit;
 mod report;
 mod search;
 mod source;
@@ -72,6 +73,12 @@ enum Command {
         #[arg(long, value_enum, default_value_t = table::Format::Text)]
         format: table::Format,
     },
+    /// Fit polynomials to the functions that exp and log are made of, and print how near they come.
+    Fit {
+        /// The file for the polynomials as Rust; none is written without it.
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<PathBuf>,
+    },
 }
 
 /// Runs the command line; the exit status is not 0 where anything failed.
@@ -91,6 +98,7 @@ pub(crate) fn run() -> ExitCode {
             search::run(&search::Request { source, kernels: kernel, restarts, fresh, output })
         }
         Command::Table { source, product, format } => table::run(&source, product, format),
+        Command::Fit { output } => fit::run(output.as_deref()),
     };
     match result.and_then(|text| source::print(&text)) {
         Ok(()) => ExitCode::SUCCESS,
