@@ -1,6 +1,7 @@
 //! From kernels to proved programs: specify, factor or replay a recipe, prove.
 
-use crate::factor::{self, factor};
+use crate::approximation::Precision;
+use crate::factor::{self, FactorError, factor};
 use crate::kernel::{self, Definition, Hoist, Kernel, Specification, SpecificationError, split};
 use crate::lower::Errors;
 use crate::program::{Bound, CostModel, Count, Program, Recipe};
@@ -26,6 +27,8 @@ pub struct Compiled {
     pub part: Part,
     /// What the program is to be cheap in.
     pub model: CostModel,
+    /// The precision of the polynomials in place of functions, where they are.
+    pub precision: Option<Precision>,
     /// The name of the emitted function.
     pub name: String,
     /// What it means.
@@ -78,6 +81,8 @@ pub struct Task {
     pub part: Part,
     /// What the program is to be cheap in.
     pub model: CostModel,
+    /// The precision of the polynomials that are to be in place of functions.
+    pub precision: Option<Precision>,
     /// The name of the emitted function.
     pub name: String,
     /// The name under which a recipe for it is kept.
@@ -96,7 +101,12 @@ pub fn tasks(definition: &Definition, kernel: &Kernel) -> syn::Result<Vec<Task>>
     for (place, &model) in kernel.models.iter().enumerate() {
         let name = if place == 0 { kernel.name.clone() } else { format!("{}_{model}", kernel.name) };
         let (recipe, specification) = (kernel.name.clone(), specification.clone());
-        tasks.push(Task { part: Part::Whole, model, name, recipe, specification });
+        tasks.push(Task { part: Part::Whole, model, precision: None, name, recipe, specification });
+    }
+    for &precision in &kernel.polynomial {
+        let name = format!("{}_{}", kernel.name, precision.name());
+        let (recipe, specification, model) = (name.clone(), specification.clone(), kernel.models[0]);
+        tasks.push(Task { part: Part::Whole, model, precision: Some(precision), name, recipe, specification });
     }
     if let Some(hoist) = &kernel.hoist {
         let (prepare, apply) = split(kernel, &specification)
@@ -105,7 +115,8 @@ pub fn tasks(definition: &Definition, kernel: &Kernel) -> syn::Result<Vec<Task>>
         for (part, name, specification) in
             [(Part::Prepare, &hoist.prepare, prepare), (Part::Apply, &hoist.apply, apply)]
         {
-            tasks.push(Task { part, model, name: name.clone(), recipe: name.clone(), specification });
+            let (name, recipe) = (name.clone(), name.clone());
+            tasks.push(Task { part, model, precision: None, name, recipe, specification });
         }
     }
     Ok(tasks)
@@ -118,15 +129,20 @@ fn compile_kernel(definition: &Definition, index: usize) -> syn::Result<Vec<Comp
 
 fn compile_task(definition: &Definition, index: usize, task: Task) -> syn::Result<Compiled> {
     let kernel = &definition.kernels[index];
-    let Task { part, model, name, recipe, specification } = task;
+    let Task { part, model, precision, name, recipe, specification } = task;
     let expanded = factor::expanded_count(&specification).map_err(|found| at(kernel, found.to_string()))?;
-    let (program, proof) = proved_program(kernel, &specification, definition.recipe(&recipe, model), model)?;
+    let found = match (precision, definition.recipe(&recipe, model)) {
+        (Some(precision), _) => Found::Factored(factor::factor_by_polynomials(&specification, precision)),
+        (None, Some(recipe)) => Found::Recipe(recipe),
+        (None, None) => Found::Factored(factor(&specification, model)),
+    };
+    let (program, proof) = proved_program(kernel, &specification, found)?;
     if let Some(number) = program.unnameable_number() {
         let message = format!("expected numbers whose numerator and denominator fit an i32, found {number}");
         return Err(at(kernel, message));
     }
     let bound = Bound::new(&specification, &program);
-    Ok(Compiled { kernel: index, part, model, name, specification, program, proof, bound, expanded })
+    Ok(Compiled { kernel: index, part, model, precision, name, specification, program, proof, bound, expanded })
 }
 
 /// The meaning of a kernel, errors at the output type where that is to blame.
@@ -147,28 +163,19 @@ fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specificatio
     Ok(specification)
 }
 
-/// The program of the recipe, if there is one, else the cheapest that is found at once; proved either way.
-fn proved_program(
-    kernel: &Kernel,
-    specification: &Specification,
-    recipe: Option<&Recipe>,
-    model: CostModel,
-) -> syn::Result<(Program, Proof)> {
-    if let Some(recipe) = recipe {
-        let replayed = factor::replay(specification, recipe).and_then(|program| {
-            let proof = prove(specification, &program).map_err(|refutation| refutation.to_string())?;
-            Ok((program, proof))
-        });
-        return replayed.map_err(|reason| {
-            let (name, owner) = (&recipe.kernel, &kernel.name);
-            let message = format!(
-                "expected a recipe that fits `{name}`, found that {reason}: remove it and renew it with `ga-codegen \
-                 search DEFINITION --kernel {owner}`"
-            );
-            syn::Error::new(recipe.span, message)
-        });
-    }
-    let program = factor(specification, model).map_err(|found| at(kernel, found.to_string()))?;
+/// Where a program comes from.
+enum Found<'a> {
+    Recipe(&'a Recipe),
+    Factored(Result<Program, FactorError>),
+}
+
+/// The program of the recipe or the one that was found at once; proved either way.
+fn proved_program(kernel: &Kernel, specification: &Specification, found: Found<'_>) -> syn::Result<(Program, Proof)> {
+    let factored = match found {
+        Found::Factored(factored) => factored,
+        Found::Recipe(recipe) => return replayed_program(kernel, specification, recipe),
+    };
+    let program = factored.map_err(|found| at(kernel, found.to_string()))?;
     let proof = prove(specification, &program).map_err(|refutation| match refutation {
         Refutation::CannotHold(_) => {
             syn::Error::new(kernel.output_span, format!("kernel `{}`: {refutation}", kernel.name))
@@ -176,6 +183,21 @@ fn proved_program(
         _ => at(kernel, format!("expected a proof, found a refutation: {refutation}")),
     })?;
     Ok((program, proof))
+}
+
+fn replayed_program(kernel: &Kernel, specification: &Specification, recipe: &Recipe) -> syn::Result<(Program, Proof)> {
+    let replayed = factor::replay(specification, recipe).and_then(|program| {
+        let proof = prove(specification, &program).map_err(|refutation| refutation.to_string())?;
+        Ok((program, proof))
+    });
+    replayed.map_err(|reason| {
+        let (name, owner) = (&recipe.kernel, &kernel.name);
+        let message = format!(
+            "expected a recipe that fits `{name}`, found that {reason}: remove it and renew it with `ga-codegen search \
+             DEFINITION --kernel {owner}`"
+        );
+        syn::Error::new(recipe.span, message)
+    })
 }
 
 fn at(kernel: &Kernel, message: String) -> syn::Error {

@@ -19,7 +19,8 @@ use proc_macro2::TokenStream;
 ///            | "basis" ( BLADE | NAME "=" BLADE )* ";"
 ///            | DOC* "entity" NAME "{" component,* "}" ( ";" | "where" relation,+ ";" )?
 ///            | DOC* "kernel" NAME "(" ( "uniform"? NAME ":" ENTITY ),* ")" "->" ENTITY "=" expression
-///                   ( "where" relation,+ )? ( "cost" MODEL,+ )? ( "hoist" STRUCT "," PREPARE "," APPLY )? ";"
+///                   ( "where" relation,+ )? ( "cost" MODEL,+ )? ( "polynomial" PRECISION,+ )?
+///                   ( "hoist" STRUCT "," PREPARE "," APPLY )? ";"
 ///            | "recipe" KERNEL MODEL "{" ( ROW "=" value ";" )* "}"
 ///            | "preset" NAME ";"       the items of a preset, in place
 ///            | "scalar" PATH ";"       the module that has the traits Scalar and Real; emitted too where it is not given
@@ -44,6 +45,8 @@ use proc_macro2::TokenStream;
 ///
 /// - A cost model is `flops` (the default), `fma` or `latency`, see [`CostModel`](crate::program::CostModel). A kernel is
 ///   emitted once for each of its models: under its name for the first, with `_MODEL` behind it for the others.
+/// - `polynomial f32, f64` asks for versions of exp and log without roots, divisions, branches and library calls, for loops over
+///   many: NAME_f32 and NAME_f64, and NAME_f32_holds and so on, which say for which inputs they hold.
 /// - A kernel with `uniform` inputs, those that stay the same over many calls, is emitted in two parts as well: a function
 ///   from them to a struct, and one, linear in the other inputs, from the struct to the output.
 /// - A recipe is what a search left behind, a program row by row. Expansion replays and proves it instead of searching.

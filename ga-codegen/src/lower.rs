@@ -5,7 +5,8 @@ mod expression;
 mod recipe;
 
 use crate::algebra::{Basis, Signature};
-use crate::kernel::{Component, ComponentValue, Definition, Entity, Hoist, Kernel, Parameter, Statement};
+use crate::approximation::Precision;
+use crate::kernel::{Analytic, Component, ComponentValue, Definition, Entity, Hoist, Kernel, Parameter, Statement};
 use crate::program::{CostModel, Recipe};
 use crate::symbolic::{Rational, Relation, Relations, RelationsError, Symbol};
 use crate::syntax::{Item, Name, RawComponent, RawKernel, RawParameter, RawRelation};
@@ -100,7 +101,9 @@ fn check_parts(definition: &Definition, errors: &mut Errors) {
     let mut types: Vec<String> = definition.entities.iter().map(|entity| entity.name.clone()).collect();
     types.extend(RESERVED.map(str::to_owned));
     for kernel in &definition.kernels {
-        let variants = kernel.models.iter().skip(1).map(|model| format!("{}_{model}", kernel.name));
+        let precisions = kernel.polynomial.iter().map(|precision| precision.name());
+        let models = kernel.models.iter().skip(1).map(|model| model.name());
+        let variants = models.chain(precisions).map(|suffix| format!("{}_{suffix}", kernel.name));
         let mut wanted: Vec<_> = variants.map(|name| (name, false, kernel.span)).collect();
         if let Some(hoist) = &kernel.hoist {
             let names = [(&hoist.record, true), (&hoist.prepare, false), (&hoist.apply, false)];
@@ -322,6 +325,7 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
     if models.is_empty() {
         models.push(CostModel::default());
     }
+    let polynomial = lower_precisions(raw, analytic, errors);
     let uniform: Vec<bool> = raw.parameters.iter().map(|parameter| parameter.uniform).collect();
     let hoist = lower_hoist(raw, analytic.is_some(), errors);
     Some(Kernel {
@@ -333,11 +337,31 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
         expression,
         statements,
         models,
+        polynomial,
         uniform,
         hoist,
         span: raw.name.span,
         output_span: raw.output.span,
     })
+}
+
+/// The precisions for which a kernel asks for polynomials.
+fn lower_precisions(raw: &RawKernel, analytic: Option<Analytic>, errors: &mut Errors) -> Vec<Precision> {
+    let mut precisions = Vec::new();
+    for name in &raw.polynomial {
+        let found = Precision::ALL.into_iter().find(|precision| precision.name() == name.text);
+        match found {
+            Some(_) if !matches!(analytic, Some(Analytic::Exp | Analytic::Log)) => {
+                errors.push(name.span, "expected `polynomial` at a definition by `exp` or `log`, found another kernel");
+            }
+            Some(precision) if precisions.contains(&precision) => {
+                errors.push(name.span, format!("expected distinct precisions, found `{}` twice", name.text));
+            }
+            Some(precision) => precisions.push(precision),
+            None => errors.push(name.span, format!("expected `f32` or `f64`, found `{}`", name.text)),
+        }
+    }
+    precisions
 }
 
 /// The names of a kernel's parts; `uniform` and `hoist` go together.

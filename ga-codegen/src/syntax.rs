@@ -65,6 +65,7 @@ pub(crate) struct RawKernel {
     pub(crate) expression: RawExpression,
     pub(crate) relations: Vec<RawRelation>,
     pub(crate) models: Vec<Name>,
+    pub(crate) polynomial: Vec<Name>,
     pub(crate) hoist: Option<[Name; 3]>,
 }
 
@@ -377,7 +378,7 @@ fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
     token::<Token![=]>(input, "`=`")?;
     let expression = expression(input)?;
     let relations = relations(input)?;
-    let (models, hoist) = clauses(input)?;
+    let Clauses { models, polynomial, hoist } = clauses(input)?;
     Ok(Item::Kernel(Box::new(RawKernel {
         docs,
         name: kernel_name,
@@ -386,31 +387,44 @@ fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
         expression,
         relations,
         models,
+        polynomial,
         hoist,
     })))
 }
 
-/// `cost flops, fma` and `hoist Record, prepare, apply`, in this order.
-fn clauses(input: ParseStream) -> syn::Result<(Vec<Name>, Option<[Name; 3]>)> {
-    let (mut models, mut hoist) = (Vec::new(), None);
+/// What may stand behind a definition.
+#[derive(Default)]
+struct Clauses {
+    models: Vec<Name>,
+    polynomial: Vec<Name>,
+    hoist: Option<[Name; 3]>,
+}
+
+/// `cost flops, fma`, `polynomial f32, f64` and `hoist Record, prepare, apply`, in this order.
+fn clauses(input: ParseStream) -> syn::Result<Clauses> {
+    let mut clauses = Clauses::default();
     while !input.peek(Token![;]) && !input.is_empty() {
-        let keyword = any_ident(input, "an operator, `where`, `cost`, `hoist` or `;`")?;
-        if keyword == "cost" && models.is_empty() && hoist.is_none() {
-            models = names(input, "a cost model")?;
-        } else if keyword == "hoist" && hoist.is_none() {
+        let keyword = any_ident(input, CLAUSES)?;
+        let (polynomial, hoist) = (!clauses.polynomial.is_empty(), clauses.hoist.is_some());
+        if keyword == "cost" && clauses.models.is_empty() && !polynomial && !hoist {
+            clauses.models = names(input, "a cost model")?;
+        } else if keyword == "polynomial" && !polynomial && !hoist {
+            clauses.polynomial = names(input, "`f32` or `f64`")?;
+        } else if keyword == "hoist" && !hoist {
             let found = names(input, "a name")?;
             let count = found.len();
-            hoist = Some(found.try_into().map_err(|_| {
+            clauses.hoist = Some(found.try_into().map_err(|_| {
                 let message = format!("expected `hoist STRUCT, PREPARE, APPLY`, found {count} names");
                 syn::Error::new(keyword.span(), message)
             })?);
         } else {
-            let message = format!("expected an operator, `where`, `cost`, `hoist` or `;`, found `{keyword}`");
-            return Err(syn::Error::new(keyword.span(), message));
+            return Err(syn::Error::new(keyword.span(), format!("expected {CLAUSES}, found `{keyword}`")));
         }
     }
-    Ok((models, hoist))
+    Ok(clauses)
 }
+
+const CLAUSES: &str = "an operator, `where`, `cost`, `polynomial`, `hoist` or `;`";
 
 /// Names between commas.
 fn names(input: ParseStream, expected: &str) -> syn::Result<Vec<Name>> {

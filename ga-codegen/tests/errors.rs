@@ -544,7 +544,36 @@ kernel h(m: Even) -> Even = normalize(e0 * e1);",
 signature (2, 0, 0);
 entity Even { s: 1, e12 }
 kernel f(m: Even) -> Even = 1 + normalize(m);",
-        &["3:32: expected `normalize` around the whole definition, found it inside an expression"],
+        &["3:33: expected `normalize` around the whole definition, found it inside an expression"],
+    );
+}
+
+#[test]
+fn polynomials_are_for_exp_and_log_in_precisions_that_there_are() {
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Bivector { e12 }
+entity Rotor { s: 1, e12 } where s*s == 1 - e12*e12;
+kernel f(b: Bivector) -> Bivector = -b polynomial f32;
+kernel g(b: Bivector) -> Rotor = exp(b) polynomial f16, f32, f32;
+kernel f_f64(r: Rotor) -> Bivector = log(r) polynomial f64;
+kernel h(b: Bivector) -> Rotor = exp(b) polynomial f32;
+kernel h_f32(b: Bivector) -> Bivector = b;",
+        &[
+            "4:51: expected `polynomial` at a definition by `exp` or `log`, found another kernel",
+            "5:52: expected `f32` or `f64`, found `f16`",
+            "5:62: expected distinct precisions, found `f32` twice",
+            "7:8: expected a name of its own for `h_f32`, found it taken",
+        ],
+    );
+    assert_errors(
+        "
+signature (2, 0, 1);
+entity Ideal { e01, e02 }
+entity Translator { 1: 1, e01, e02 }
+kernel f(b: Ideal) -> Translator = exp(b) polynomial f32;",
+        &["4:8: kernel `f`: expected an exponential with a norm to approximate, found a polynomial"],
     );
 }
 
@@ -580,7 +609,7 @@ scalar;",
 fn expressions_that_do_not_parse_are_reported_at_the_token() {
     let cases = [
         ("a *", "3:36: expected an expression, found `;`"),
-        ("a b", "3:35: expected an operator, `where`, `cost`, `hoist` or `;`, found `b`"),
+        ("a b", "3:35: expected an operator, `where`, `cost`, `polynomial`, `hoist` or `;`, found `b`"),
         ("(a b)", "3:36: expected an operator or `)`, found `b`"),
         ("(a +)", "3:37: expected an expression, found the end"),
         ("dual(a b)", "3:40: expected `,`, found `b`"),

@@ -16,7 +16,7 @@ mod tables;
 use crate::symbolic::{Overflow, Rational};
 
 /// A function that exp or log is made of, in the argument where it is a power series with rational coefficients.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Function {
     /// cos √A = 1 - A/2 + A^2/24 - ...
     CosRoot,
@@ -54,6 +54,14 @@ impl Function {
             Self::SincSlope => "(cos √A - sin √A / √A) / A",
             Self::AngleRatio => "acos s / √(1 - s²), s = 1 - x",
             Self::AngleSlope => "(1 - s acos s / √(1 - s²)) / (1 - s²), s = 1 - x",
+        }
+    }
+
+    /// What the argument is called in [`Self::formula`].
+    pub const fn variable(self) -> &'static str {
+        match self {
+            Self::CosRoot | Self::SincRoot | Self::SincSlope => "A",
+            Self::AngleRatio | Self::AngleSlope => "x",
         }
     }
 
@@ -104,7 +112,7 @@ impl Function {
 }
 
 /// A format of floating-point numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Precision {
     /// 24 bits.
     F32,

@@ -1,6 +1,6 @@
 //! Straight-line code from a program: a `let` for what is used more than once, expressions for the rest.
 
-use super::ident;
+use super::{ident, polynomial};
 use crate::program::{Operation, Program, Value};
 use crate::symbolic::Rational;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
@@ -104,6 +104,8 @@ impl Writer<'_> {
                 self.fresh(&format!("{}_over_{}", self.word(numerator), self.word(denominator)))
             }
             Operation::Div(..) if self.uses[value] > 1 => self.fresh("inverse"),
+            Operation::Polynomial(function, ..) => self.fresh(function.name()),
+            _ if self.is_argument(value) => self.fresh("argument"),
             Operation::Mul(a, b) if self.uses[value] > 1 && self.is_inverse(b) && self.is_input(a) => {
                 self.fresh(&format!("unit_{}", self.word(a)))
             }
@@ -119,6 +121,11 @@ impl Writer<'_> {
         let expression = self.expression(value);
         self.statements.extend(quote!(let #name = #expression;));
         self.names.insert(value, name);
+    }
+
+    /// Whether the value is what a polynomial is evaluated at.
+    fn is_argument(&self, value: Value) -> bool {
+        self.program.polynomials().iter().any(|&(_, _, argument)| argument == value)
     }
 
     fn is_input(&self, value: Value) -> bool {
@@ -252,6 +259,10 @@ impl Writer<'_> {
                 let (numerator, denominator) = (self.operand(numerator, Binding::Atom), self.expression(denominator));
                 let limit = &self.constants[&limit];
                 quote!(#numerator.quotient(#denominator, #limit))
+            }
+            Operation::Polynomial(function, precision, argument) => {
+                let (name, argument) = (polynomial::name(function, precision), self.expression(argument));
+                quote!(#name(#argument))
             }
         }
     }

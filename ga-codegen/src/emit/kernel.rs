@@ -1,7 +1,8 @@
 //! Functions from kernels.
 
 use super::body::{access, body};
-use super::{doc, entity_type, ident, meaning};
+use super::{doc, entity_type, ident, meaning, polynomial};
+use crate::approximation::approximation;
 use crate::compile::{Compiled, Part};
 use crate::kernel::{Definition, Hoist, Kernel};
 use crate::program::{Count, Operation, Program};
@@ -38,7 +39,9 @@ pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Res
     let (docs, name) = (doc(&documentation(definition, compiled)), ident(&compiled.name));
     let bound = if needs_real(&compiled.program) { quote!(Real) } else { quote!(Scalar) };
     let statements = body.statements;
+    let range = polynomial::range(definition, compiled, &parameters)?;
     Ok(quote! {
+        #range
         #record
         #docs
         #[inline]
@@ -163,6 +166,19 @@ fn documentation(definition: &Definition, compiled: &Compiled) -> Vec<String> {
         lines.push(String::new());
     }
     lines.push(format!("Cost: {}. Proof: {}.", Count::of(&compiled.program), compiled.proof));
+    if compiled.precision.is_some() {
+        let used = compiled.program.polynomials().into_iter();
+        let off = used.map(|(function, precision, _)| {
+            format!("{} to {:.2e}", function.formula(), approximation(function, precision).error)
+        });
+        lines.push(String::new());
+        lines.push(format!(
+            "By polynomials, without roots, divisions or library calls, where [`{0}_holds`]: {1}. \
+             Elsewhere the result is wrong.",
+            compiled.name,
+            off.collect::<Vec<_>>().join("; ")
+        ));
+    }
     if let Some(bound) = compiled.promised_bound(definition) {
         let text = bound.display(&compiled.parameter_names(definition));
         lines.push(String::new());

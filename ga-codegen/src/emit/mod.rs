@@ -6,6 +6,7 @@ mod entity;
 mod kernel;
 mod meaning;
 mod operators;
+mod polynomial;
 mod scalar;
 
 use crate::compile::Compiled;
@@ -61,9 +62,11 @@ pub fn kernels(definition: &Definition, compiled: &[Compiled], only: Option<&str
     let chosen = |compiled: &&Compiled| {
         only.is_none_or(|name| compiled.name == name || definition.kernels[compiled.kernel].name == name)
     };
-    let functions = compiled.iter().filter(chosen).map(|compiled| kernel::function(definition, compiled));
+    let chosen: Vec<_> = compiled.iter().filter(chosen).collect();
+    let functions = chosen.iter().map(|compiled| kernel::function(definition, compiled));
     let functions: Vec<_> = functions.collect::<syn::Result<_>>()?;
-    Ok(quote!(#(#functions)*))
+    let polynomials = polynomial::functions(&chosen);
+    Ok(quote!(#(#functions)* #polynomials))
 }
 
 fn ident(name: &str) -> Ident {

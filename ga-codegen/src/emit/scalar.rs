@@ -33,6 +33,8 @@ pub(super) fn module(definition: &Definition) -> TokenStream {
 
             /// Real numbers.
             pub trait Real: Scalar + PartialOrd + Div<Output = Self> {
+                /// The nearest number.
+                fn from_f64(value: f64) -> Self;
                 /// The square root.
                 fn sqrt(self) -> Self;
                 /// Sine and cosine of an angle in radians.
@@ -84,6 +86,9 @@ fn implementation(float: TokenStream) -> TokenStream {
         }
 
         impl Real for #float {
+            fn from_f64(value: f64) -> Self {
+                value as Self
+            }
             fn sqrt(self) -> Self {
                 std::primitive::#float::sqrt(self)
             }

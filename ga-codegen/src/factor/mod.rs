@@ -9,6 +9,7 @@ mod starting;
 mod study;
 mod system;
 
+use crate::approximation::Precision;
 use crate::kernel::{Analytic, Specification};
 use crate::program::{CostModel, Count, Program, Recipe};
 use crate::symbolic::{Overflow, Polynomial};
@@ -57,6 +58,20 @@ pub fn factor(specification: &Specification, model: CostModel) -> Result<Program
         Some(Analytic::Exp) => study::exp(specification),
         Some(Analytic::Log) => study::log(specification),
         Some(Analytic::Normalize | Analytic::Sqrt) => study::normalize(specification),
+    }
+}
+
+/// The program for exp or log with polynomials in place of roots, divisions and library calls.
+///
+/// # Errors
+/// [`FactorError`]
+pub fn factor_by_polynomials(specification: &Specification, precision: Precision) -> Result<Program, FactorError> {
+    match specification.analytic {
+        Some(Analytic::Exp) => study::exp_by_polynomials(specification, precision),
+        Some(Analytic::Log) => study::log_by_polynomials(specification, precision),
+        _ => {
+            Err(FactorError::NoClosedForm("expected `exp` or `log` to approximate, found another function".to_owned()))
+        }
     }
 }
 

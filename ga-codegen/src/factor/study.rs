@@ -22,6 +22,7 @@ use super::FactorError;
 use super::extract::greedy;
 use super::system::System;
 use crate::algebra::{Blade, Product, Sign};
+use crate::approximation::{Function, Precision};
 use crate::kernel::{Analytic, Specification};
 use crate::program::{Operands, Operation, Program, ProgramBuilder, Value};
 use crate::symbolic::{Multivector, Polynomial, Rational, Symbol};
@@ -76,6 +77,12 @@ impl Values {
     fn symbol(&mut self, value: Value) -> Polynomial {
         self.given.push(value);
         Polynomial::symbol((self.given.len() - 1) as Symbol)
+    }
+
+    /// The symbol of a function's polynomial.
+    fn polynomial(&mut self, function: Function, precision: Precision, argument: Value) -> Polynomial {
+        let value = self.push(Operation::Polynomial(function, precision, argument));
+        self.symbol(value)
     }
 
     /// The values of polynomials.
@@ -251,6 +258,43 @@ pub(super) fn exp(specification: &Specification) -> Result<Program, FactorError>
         .add(&split.polar(&half, &directions, &[&sinc, &sin])?)?
         .add(&split.polar(b, &directions, &[&sinc, &sin])?)?
         .sub(&split.polar(&half_b, &directions, &[&never, &once, &slope])?)?;
+    values.finish(&value, specification)
+}
+
+/// exp B with C, S and g as polynomials in A.
+pub(super) fn exp_by_polynomials(specification: &Specification, precision: Precision) -> Result<Program, FactorError> {
+    let mut values = Values::new(specification);
+    let b = &specification.value;
+    let half = half_nilpotent(b, specification)?;
+    let square = mul(b, b, specification)?.coefficient(Blade::SCALAR).neg();
+    if square.is_zero() {
+        return no_closed_form("expected an exponential with a norm to approximate, found a polynomial");
+    }
+    let argument = values.evaluate(&[square])?[0];
+    let [c, s, g] = [Function::CosRoot, Function::SincRoot, Function::SincSlope]
+        .map(|function| values.polynomial(function, precision, argument));
+    let value = Multivector::scalar(c)
+        .add(&times(&half, &s)?)?
+        .add(&times(b, &s)?)?
+        .sub(&times(&mul(&half, b, specification)?, &g)?)?;
+    values.finish(&value, specification)
+}
+
+/// log m with k and h as polynomials in 1 - s.
+pub(super) fn log_by_polynomials(specification: &Specification, precision: Precision) -> Result<Program, FactorError> {
+    let mut values = Values::new(specification);
+    let m = &specification.value;
+    let (scalar, v) = (m.coefficient(Blade::SCALAR), m.grade(2));
+    let p = m.sub(&v)?.sub(&Multivector::scalar(scalar.clone()))?;
+    check_nilpotent(&p, &v, specification)?;
+    half_nilpotent(&v, specification)?;
+    if scalar.as_constant().is_some() {
+        return no_closed_form("expected a logarithm with an angle to approximate, found a polynomial");
+    }
+    let argument = values.evaluate(&[Polynomial::one().sub(&scalar)?])?[0];
+    let [k, h] =
+        [Function::AngleRatio, Function::AngleSlope].map(|function| values.polynomial(function, precision, argument));
+    let value = times(&v, &k)?.sub(&times(&mul(&p, &v, specification)?, &h)?)?;
     values.finish(&value, specification)
 }
 

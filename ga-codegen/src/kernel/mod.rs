@@ -14,6 +14,7 @@ pub use homogeneity::{Inhomogeneous, check_kernel, check_relations};
 pub use specification::{Analytic, Coefficient, Specification, SpecificationError, StudyNorm};
 
 use crate::algebra::Basis;
+use crate::approximation::Precision;
 use crate::program::{CostModel, Recipe};
 use proc_macro2::{Span, TokenStream};
 
@@ -50,6 +51,8 @@ pub struct Kernel {
     /// What its programs are to be cheap in; the first is emitted under the kernel's name, the others under
     /// `NAME_MODEL`.
     pub models: Vec<CostModel>,
+    /// The precisions in which it is emitted with polynomials in place of functions as well, under `NAME_PRECISION`.
+    pub polynomial: Vec<Precision>,
     /// Where the name stands.
     pub span: Span,
     /// Where the output type stands.

@@ -1,6 +1,7 @@
 //! What a program costs.
 
 use super::{Operation, Program};
+use crate::approximation::approximation;
 use std::fmt;
 
 /// Operation counts. A doubling counts as one multiplication, a negation as nothing.
@@ -43,6 +44,13 @@ impl Count {
                     // A square, the sums one after the other, and the root.
                     depth[value] = below + operands.count() + 1;
                 }
+                Operation::Polynomial(function, precision, _) => {
+                    let degree = approximation(*function, *precision).degree();
+                    count.mul += degree;
+                    count.add += degree;
+                    // A product and a sum for every power, one after the other.
+                    depth[value] = below + 2 * degree;
+                }
                 // The absolute value.
                 Operation::Norm(_) => depth[value] = below,
                 Operation::Sin(_) | Operation::Cos(_) | Operation::Atan2(..) => count.trigonometric += 1,
@@ -79,11 +87,12 @@ fn fusable(program: &Program) -> usize {
         Operation::Add(a, b) | Operation::Sub(a, b) => single_product(a) || single_product(b),
         _ => false,
     };
-    let in_norm = |operation: &Operation| match operation {
+    let inside = |operation: &Operation| match *operation {
         Operation::Norm(operands) => operands.count().saturating_sub(1),
+        Operation::Polynomial(function, precision, _) => approximation(function, precision).degree(),
         _ => 0,
     };
-    program.operations.iter().filter(fuses).count() + program.operations.iter().map(in_norm).sum::<usize>()
+    program.operations.iter().filter(fuses).count() + program.operations.iter().map(inside).sum::<usize>()
 }
 
 impl fmt::Display for Count {

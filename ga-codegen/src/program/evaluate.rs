@@ -1,6 +1,7 @@
 //! Running a program on numbers of any kind: floats, polynomials, power series.
 
 use super::{Operation, Program};
+use crate::approximation::{Function, Precision, approximation};
 use crate::symbolic::Rational;
 use std::convert::Infallible;
 
@@ -31,6 +32,8 @@ pub trait Domain {
     fn atan2(&self, y: &Self::Number, x: &Self::Number) -> Result<Self::Number, Self::Error>;
     /// numerator / denominator, and `limit` where the denominator is 0.
     fn quotient(&self, n: &Self::Number, d: &Self::Number, limit: Rational) -> Result<Self::Number, Self::Error>;
+    /// A function, not the polynomial near it.
+    fn function(&self, function: Function, a: &Self::Number) -> Result<Self::Number, Self::Error>;
     /// The square root of the sum of squares.
     fn norm(&self, components: &[&Self::Number]) -> Result<Self::Number, Self::Error> {
         let mut sum = self.constant(Rational::ZERO)?;
@@ -69,6 +72,7 @@ impl Program {
                 Operation::Cos(a) => domain.cos(&values[a])?,
                 Operation::Atan2(y, x) => domain.atan2(&values[y], &values[x])?,
                 Operation::Quotient(n, d, limit) => domain.quotient(&values[n], &values[d], limit)?,
+                Operation::Polynomial(function, _, a) => domain.function(function, &values[a])?,
             };
             values.push(value);
         }
@@ -113,5 +117,9 @@ impl Domain for FloatDomain {
     }
     fn quotient(&self, n: &f64, d: &f64, limit: Rational) -> Result<f64, Infallible> {
         Ok(if *d == 0.0 { limit.to_f64() } else { n / d })
+    }
+    fn function(&self, function: Function, a: &f64) -> Result<f64, Infallible> {
+        let polynomial = approximation(function, Precision::F64);
+        Ok(polynomial.coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * a + coefficient))
     }
 }

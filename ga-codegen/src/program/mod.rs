@@ -16,6 +16,7 @@ pub use evaluate::{Domain, FloatDomain};
 pub use operands::Operands;
 pub use recipe::{Recipe, RecipeTerm};
 
+use crate::approximation::{Function, Precision};
 use crate::symbolic::Rational;
 
 /// The value of an operation, by the operation's index.
@@ -52,6 +53,8 @@ pub enum Operation {
     Atan2(Value, Value),
     /// A quotient with a removable singularity: numerator / denominator, and the number where the denominator is 0.
     Quotient(Value, Value, Rational),
+    /// A function of one value by the polynomial near it.
+    Polynomial(Function, Precision, Value),
 }
 
 impl Operation {
@@ -59,7 +62,12 @@ impl Operation {
     pub fn operands(self) -> impl Iterator<Item = Value> {
         let operands = match self {
             Self::Input(_) | Self::Constant(_) => Operands::default(),
-            Self::Neg(a) | Self::Double(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => Operands::from([a]),
+            Self::Neg(a)
+            | Self::Double(a)
+            | Self::Sqrt(a)
+            | Self::Sin(a)
+            | Self::Cos(a)
+            | Self::Polynomial(_, _, a) => Operands::from([a]),
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
@@ -88,6 +96,7 @@ impl Operation {
             Self::Cos(a) => Self::Cos(map(a)),
             Self::Atan2(a, b) => Self::Atan2(map(a), map(b)),
             Self::Quotient(a, b, limit) => Self::Quotient(map(a), map(b), limit),
+            Self::Polynomial(function, precision, a) => Self::Polynomial(function, precision, map(a)),
         }
     }
 }
@@ -102,6 +111,15 @@ pub struct Program {
 }
 
 impl Program {
+    /// The functions that the program evaluates by polynomials, and of what values, each once.
+    pub fn polynomials(&self) -> Vec<(Function, Precision, Value)> {
+        let polynomials = self.operations.iter().filter_map(|operation| match *operation {
+            Operation::Polynomial(function, precision, argument) => Some((function, precision, argument)),
+            _ => None,
+        });
+        polynomials.collect()
+    }
+
     /// The first number in the program that emitted code cannot name: its numerator or denominator does not fit an i32.
     pub fn unnameable_number(&self) -> Option<Rational> {
         let fits = |part: i128| i32::try_from(part).is_ok();

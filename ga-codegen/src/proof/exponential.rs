@@ -8,12 +8,16 @@
 //! 1 - cos(l), is accepted. If all terms agree, the functions, which are analytic, are equal about the identity, as far as
 //! the branches of the root and of atan2 reach. An argument of log is promised to be a unit, see [`Specification`].
 //!
+//! What a program evaluates by a polynomial near a function counts as that function: how near it is, is measured, see
+//! [`approximation`](crate::approximation).
+//!
 //! Where l is 0 the coefficients that make it up are 0 and the others arbitrary. There the sum ends and the program is
 //! evaluated exactly, every quotient with its stated limit; see [`Locus`].
 
 use super::locus::Locus;
 use super::{Proof, Refutation, undefined};
 use crate::algebra::{Blade, Product};
+use crate::approximation::Function;
 use crate::kernel::{Analytic, Component, ComponentValue, Entity, Specification};
 use crate::program::{Domain, Operation, Program};
 use crate::symbolic::{
@@ -346,5 +350,8 @@ impl Domain for SeriesRing {
     fn quotient(&self, n: &Series, d: &Series, limit: Rational) -> Result<Series, Refutation> {
         let _ = limit; // Where the denominator is 0 is seen to by [`Locus`].
         Ok(Self::quotient(self, n, d)?)
+    }
+    fn function(&self, function: Function, a: &Series) -> Result<Series, Refutation> {
+        Ok(self.compose(a, |n| function.series(n as u32))?)
     }
 }

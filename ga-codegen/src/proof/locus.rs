@@ -2,6 +2,7 @@
 //! numbers 0 and 1.
 
 use super::{Refutation, undefined};
+use crate::approximation::Function;
 use crate::program::Domain;
 use crate::symbolic::{Polynomial, Rational};
 
@@ -63,5 +64,9 @@ impl Domain for Locus {
     }
     fn quotient(&self, n: &Polynomial, d: &Polynomial, limit: Rational) -> Result<Polynomial, Refutation> {
         if d.is_zero() { Ok(Polynomial::constant(limit)) } else { self.div(n, d) }
+    }
+    fn function(&self, function: Function, a: &Polynomial) -> Result<Polynomial, Refutation> {
+        Self::number(a, "0 as the argument of a polynomial", ZERO)?;
+        Ok(Polynomial::constant(function.series(0)?))
     }
 }

@@ -12,6 +12,7 @@ mod exponential;
 mod locus;
 mod root;
 
+use crate::approximation::Function;
 use crate::kernel::{Analytic, Specification};
 use crate::program::{Domain, Program};
 use crate::symbolic::{Overflow, Polynomial, Rational, SeriesError, Symbol};
@@ -192,5 +193,8 @@ impl Domain for PolynomialDomain {
     }
     fn quotient(&self, _: &Polynomial, _: &Polynomial, _: Rational) -> Result<Polynomial, Refutation> {
         no_polynomial("a quotient")
+    }
+    fn function(&self, function: Function, _: &Polynomial) -> Result<Polynomial, Refutation> {
+        no_polynomial(function.name())
     }
 }

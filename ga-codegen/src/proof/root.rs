@@ -17,6 +17,7 @@
 
 use super::{Proof, Refutation, undefined};
 use crate::algebra::{Blade, Product};
+use crate::approximation::Function;
 use crate::kernel::{Analytic, ComponentValue, Specification, StudyNorm};
 use crate::program::{Domain, Program};
 use crate::symbolic::{Monomial, Multivector, Overflow, Polynomial, Rational, Relations, Symbol};
@@ -232,5 +233,8 @@ impl Domain for Fractions {
     }
     fn quotient(&self, _: &Fraction, _: &Fraction, _: Rational) -> Result<Fraction, Refutation> {
         undefined("expected a program of ring operations, roots and divisions, found a quotient with a limit")
+    }
+    fn function(&self, function: Function, _: &Fraction) -> Result<Fraction, Refutation> {
+        undefined(&format!("expected a program of ring operations, roots and divisions, found {}", function.name()))
     }
 }

@@ -171,7 +171,10 @@ impl SeriesRing {
     }
 
     /// sum of `coefficients(n)` * a^n, for a series without terms of degree 0.
-    fn compose(
+    ///
+    /// # Errors
+    /// [`SeriesError`]
+    pub fn compose(
         &self,
         a: &Series,
         mut coefficients: impl FnMut(usize) -> Result<Rational, Overflow>,
@@ -185,6 +188,9 @@ impl SeriesRing {
         let mut power = self.series(&Polynomial::one())?;
         for n in 1..=self.order {
             power = self.mul(&power, a)?;
+            if power.polynomial.is_zero() {
+                break;
+            }
             let scaled = Series { polynomial: power.polynomial.scale(coefficients(n)?)?, order: power.order };
             sum = self.add(&sum, &scaled)?;
         }
