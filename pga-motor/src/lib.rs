@@ -50,6 +50,7 @@ mod even;
 pub mod import;
 #[cfg(feature = "glam")]
 pub mod interop;
+mod interpolate;
 mod line;
 mod magnitude;
 mod motor;
@@ -64,8 +65,10 @@ pub mod scalar;
 pub mod skeleton;
 mod slices;
 mod translator;
+mod weights;
 
 pub use algebra::*;
+pub use interpolate::{ScrewPath, blend, interpolate_joint};
 pub use kernels::{DirectionMatrix, LineMatrix, Matrix, PlaneMatrix};
 pub use scalar::{Real, Scalar};
 pub use slices::LengthMismatch;
@@ -75,7 +78,7 @@ pub use slices::LengthMismatch;
 pub mod f32 {
     crate::precision::aliases! {
         f32: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
-        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix
+        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix ScrewPath
     }
     crate::precision::aliases! { f32 in skeleton: Joint Pose Skeleton }
 }
@@ -85,7 +88,7 @@ pub mod f32 {
 pub mod f64 {
     crate::precision::aliases! {
         f64: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
-        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix
+        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix ScrewPath
     }
     crate::precision::aliases! { f64 in skeleton: Joint Pose Skeleton }
 }
