@@ -60,6 +60,7 @@ mod plane;
 mod point;
 mod precision;
 mod products;
+pub mod rigid;
 mod rotor;
 pub mod scalar;
 pub mod skeleton;
@@ -70,6 +71,7 @@ mod weights;
 pub use algebra::*;
 pub use interpolate::{ScrewPath, blend, interpolate_joint};
 pub use kernels::{DirectionMatrix, LineMatrix, Matrix, PlaneMatrix};
+pub use rigid::NotRigid;
 pub use scalar::{Real, Scalar};
 pub use slices::LengthMismatch;
 

@@ -24,6 +24,7 @@ mod motor;
 mod odd;
 mod point;
 mod products;
+mod rigid;
 mod rotor;
 mod translator;
 
