@@ -63,6 +63,7 @@ mod products;
 pub mod rigid;
 mod rotor;
 pub mod scalar;
+mod screw;
 pub mod skeleton;
 mod slices;
 mod translator;
@@ -73,6 +74,7 @@ pub use interpolate::{ScrewPath, blend, interpolate_joint};
 pub use kernels::{DirectionMatrix, LineMatrix, Matrix, PlaneMatrix};
 pub use rigid::NotRigid;
 pub use scalar::{Real, Scalar};
+pub use screw::{MotionKind, Screw};
 pub use slices::LengthMismatch;
 
 /// The types in single precision: `pga_motor::f32::Motor` is `pga_motor::Motor<f32>`. Those of the plane are in
@@ -80,7 +82,7 @@ pub use slices::LengthMismatch;
 pub mod f32 {
     crate::precision::aliases! {
         f32: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
-        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix ScrewPath
+        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
     crate::precision::aliases! { f32 in skeleton: Joint Pose Skeleton }
 }
@@ -90,7 +92,7 @@ pub mod f32 {
 pub mod f64 {
     crate::precision::aliases! {
         f64: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
-        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix ScrewPath
+        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
     crate::precision::aliases! { f64 in skeleton: Joint Pose Skeleton }
 }

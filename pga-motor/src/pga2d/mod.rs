@@ -19,6 +19,7 @@ mod algebra;
 mod bivector;
 mod even;
 mod interpolate;
+mod kind;
 mod line;
 mod motor;
 mod odd;
@@ -30,6 +31,7 @@ mod translator;
 
 pub use algebra::*;
 pub use interpolate::{ScrewPath, blend, interpolate_joint};
+pub use kind::MotionKind;
 
 /// The types in single precision: `pga2d::f32::Motor` is `pga2d::Motor<f32>`.
 pub mod f32 {
