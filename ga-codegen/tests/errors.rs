@@ -564,7 +564,7 @@ kernel h_f32(b: Bivector) -> Bivector = b;",
             "4:51: expected `polynomial` at a definition by `exp` or `log`, found another kernel",
             "5:52: expected `f32` or `f64`, found `f16`",
             "5:62: expected distinct precisions, found `f32` twice",
-            "7:8: expected a name of its own for `h_f32`, found it taken",
+            "7:8: expected names that are not taken, found `h_f32`, which is",
         ],
     );
     assert_errors(

@@ -50,6 +50,7 @@ mod even;
 pub mod import;
 #[cfg(feature = "glam")]
 pub mod interop;
+mod interpolate;
 mod line;
 mod magnitude;
 mod motor;
@@ -59,15 +60,21 @@ mod plane;
 mod point;
 mod precision;
 mod products;
+pub mod rigid;
 mod rotor;
 pub mod scalar;
+mod screw;
 pub mod skeleton;
 mod slices;
 mod translator;
+mod weights;
 
 pub use algebra::*;
+pub use interpolate::{ScrewPath, blend, interpolate_joint};
 pub use kernels::{DirectionMatrix, LineMatrix, Matrix, PlaneMatrix};
+pub use rigid::NotRigid;
 pub use scalar::{Real, Scalar};
+pub use screw::{MotionKind, Screw};
 pub use slices::LengthMismatch;
 
 /// The types in single precision: `pga_motor::f32::Motor` is `pga_motor::Motor<f32>`. Those of the plane are in
@@ -75,7 +82,7 @@ pub use slices::LengthMismatch;
 pub mod f32 {
     crate::precision::aliases! {
         f32: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
-        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix
+        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
     crate::precision::aliases! { f32 in skeleton: Joint Pose Skeleton }
 }
@@ -85,7 +92,7 @@ pub mod f32 {
 pub mod f64 {
     crate::precision::aliases! {
         f64: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
-        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix
+        OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
     crate::precision::aliases! { f64 in skeleton: Joint Pose Skeleton }
 }

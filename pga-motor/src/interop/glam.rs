@@ -8,11 +8,12 @@
 //! | `pga2d::Point`, `pga2d::Direction` | `Vec2` | `DVec2` | `From` | `From` |
 //!
 //! A matrix acts on column vectors and a pair is the rotation followed by the translation, so `Mat4::from(b * a)` is
-//! `Mat4::from(b) * Mat4::from(a)`. m and -m give the same matrix; back comes one of the two.
+//! `Mat4::from(b) * Mat4::from(a)`. m and -m give the same matrix; back comes the one whose scalar part is not
+//! negative.
 //!
 //! A matrix is a motor only if it is rigid, and a quaternion is a rotor only if it is unit: to [`TOLERANCE_F32`] or
 //! [`TOLERANCE_F64`], so that what has gathered rounding errors passes and scales, shears and mirrors do not. What
-//! passes is made exactly unit. Otherwise [`NotRigid`] tells what was found.
+//! passes is made exactly unit. Otherwise [`NotRigid`] tells what was found, and where.
 //!
 //! ```
 //! use glam::{Mat4, Vec3};
@@ -29,101 +30,11 @@
 //! # Ok::<(), NotRigid>(())
 //! ```
 
+pub use crate::rigid::{NotRigid, TOLERANCE_F32, TOLERANCE_F64};
+
+use crate::rigid::{check_finite, rotor_from_unit_quaternion};
 use crate::{Direction, Motor, Point, Rotor, Translator, pga2d};
-use ::glam::{Affine3A, DAffine3, DMat3, DMat4, DQuat, DVec2, DVec3, Mat3, Mat4, Quat, Vec2, Vec3, Vec3A};
-use core::fmt;
-
-/// How far scalar products of a matrix's columns, its last row and a quaternion's squared norm may be from those of an
-/// exact rigid motion in `f32`.
-pub const TOLERANCE_F32: f64 = 1e-4;
-
-/// How far scalar products of a matrix's columns, its last row and a quaternion's squared norm may be from those of an
-/// exact rigid motion in `f64`: wide enough for what was once `f32`.
-pub const TOLERANCE_F64: f64 = 1e-6;
-
-/// Why a matrix or quaternion is no rigid motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum NotRigid {
-    /// An entry is infinite or NaN.
-    NotFinite,
-    /// The last row is not 0 0 0 1.
-    LastRow {
-        /// What it is.
-        found: [f64; 4],
-        /// How far each entry may be off.
-        tolerance: f64,
-    },
-    /// The columns of the rotation part are not of length 1 and perpendicular.
-    NotOrthonormal {
-        /// The largest difference of a scalar product of two columns from 1 (same column) or 0.
-        deviation: f64,
-        /// The largest that is accepted.
-        tolerance: f64,
-    },
-    /// The rotation part mirrors.
-    Mirror {
-        /// Its determinant, near -1.
-        determinant: f64,
-    },
-    /// The quaternion is not of norm 1.
-    NotUnit {
-        /// The squared norm.
-        norm_squared: f64,
-        /// How far from 1 it may be.
-        tolerance: f64,
-    },
-}
-
-impl fmt::Display for NotRigid {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotFinite => f.write_str("expected finite entries, found an infinite one or NaN"),
-            Self::LastRow { found, tolerance } => {
-                write!(f, "expected the last row 0 0 0 1 to {tolerance:e}, found {found:?}")
-            }
-            Self::NotOrthonormal { deviation, tolerance } => {
-                write!(f, "expected orthonormal columns to {tolerance:e}, found scalar products off by {deviation:e}")
-            }
-            Self::Mirror { determinant } => {
-                write!(f, "expected a rotation with determinant 1, found a mirror with determinant {determinant}")
-            }
-            Self::NotUnit { norm_squared, tolerance } => {
-                write!(f, "expected a quaternion of squared norm 1 to {tolerance:e}, found {norm_squared}")
-            }
-        }
-    }
-}
-
-impl core::error::Error for NotRigid {}
-
-/// Whether a matrix, given by columns, is that of a rigid motion.
-fn check_matrix(columns: [[f64; 4]; 4], tolerance: f64) -> Result<(), NotRigid> {
-    if !columns.iter().flatten().all(|entry| entry.is_finite()) {
-        return Err(NotRigid::NotFinite);
-    }
-    let found = columns.map(|column| column[3]);
-    if found.iter().zip([0.0, 0.0, 0.0, 1.0]).any(|(entry, expected)| (entry - expected).abs() > tolerance) {
-        return Err(NotRigid::LastRow { found, tolerance });
-    }
-    let [x, y, z, _] = columns.map(|[x, y, z, _]| Direction::new(x, y, z));
-    let products = [x.dot(x) - 1.0, y.dot(y) - 1.0, z.dot(z) - 1.0, y.dot(z), z.dot(x), x.dot(y)];
-    let deviation = products.iter().fold(0.0_f64, |largest, product| largest.max(product.abs()));
-    if deviation > tolerance {
-        return Err(NotRigid::NotOrthonormal { deviation, tolerance });
-    }
-    let determinant = x.cross(y).dot(z);
-    if determinant < 0.0 { Err(NotRigid::Mirror { determinant }) } else { Ok(()) }
-}
-
-/// Whether a quaternion is of norm 1.
-fn check_quaternion(quaternion: [f64; 4], tolerance: f64) -> Result<(), NotRigid> {
-    if !quaternion.iter().all(|coefficient| coefficient.is_finite()) {
-        return Err(NotRigid::NotFinite);
-    }
-    let norm_squared: f64 = quaternion.iter().map(|coefficient| coefficient * coefficient).sum();
-    let unit = (norm_squared - 1.0).abs() <= tolerance;
-    if unit { Ok(()) } else { Err(NotRigid::NotUnit { norm_squared, tolerance }) }
-}
+use ::glam::{Affine3A, DAffine3, DMat4, DQuat, DVec2, DVec3, Mat4, Quat, Vec2, Vec3, Vec3A};
 
 macro_rules! convert_vectors {
     ($($ours:ty, [$($field:ident),*] <=> $glam:ident;)*) => {
@@ -159,7 +70,7 @@ convert_vectors! {
 }
 
 macro_rules! convert_rotors {
-    ($float:ident, $quaternion:ident, $vector:ident, $tolerance:ident) => {
+    ($float:ident, $quaternion:ident, $vector:ident) => {
         impl From<Rotor<$float>> for $quaternion {
             #[inline]
             fn from(rotor: Rotor<$float>) -> Self {
@@ -172,8 +83,7 @@ macro_rules! convert_rotors {
 
             /// The rotor of a unit quaternion; it is normalised.
             fn try_from(quaternion: $quaternion) -> Result<Self, NotRigid> {
-                check_quaternion(quaternion.to_array().map(f64::from), $tolerance)?;
-                Self::from_quaternion_xyzw(quaternion.to_array()).ok_or(NotRigid::NotFinite)
+                rotor_from_unit_quaternion(quaternion.to_array())
             }
         }
 
@@ -190,21 +100,19 @@ macro_rules! convert_rotors {
 
             /// The rotation of a unit quaternion followed by the translation.
             fn try_from((quaternion, vector): ($quaternion, $vector)) -> Result<Self, NotRigid> {
-                if !vector.is_finite() {
-                    return Err(NotRigid::NotFinite);
-                }
-                let translator = Translator::from_vector(vector.into());
-                Ok(Self::from_rotor_translator(quaternion.try_into()?, translator))
+                let rotor = quaternion.try_into()?;
+                check_finite(1, &vector.to_array().map(f64::from))?;
+                Ok(Self::from_rotor_translator(rotor, Translator::from_vector(vector.into())))
             }
         }
     };
 }
 
-convert_rotors!(f32, Quat, Vec3, TOLERANCE_F32);
-convert_rotors!(f64, DQuat, DVec3, TOLERANCE_F64);
+convert_rotors!(f32, Quat, Vec3);
+convert_rotors!(f64, DQuat, DVec3);
 
 macro_rules! convert_matrices {
-    ($float:ident, $matrix:ident, $affine:ident, $rotation:ident, $quaternion:ident, $tolerance:ident) => {
+    ($float:ident, $matrix:ident, $affine:ident) => {
         impl From<Motor<$float>> for $matrix {
             /// The matrix of the motion; its columns are where the axes' directions and the origin go.
             fn from(motor: Motor<$float>) -> Self {
@@ -224,12 +132,7 @@ macro_rules! convert_matrices {
 
             /// The motion of a rigid matrix.
             fn try_from(matrix: $matrix) -> Result<Self, NotRigid> {
-                let columns = matrix.to_cols_array_2d();
-                check_matrix(columns.map(|column| column.map(f64::from)), $tolerance)?;
-                let [x, y, z, origin] = columns.map(|[x, y, z, _]| [x, y, z]);
-                let quaternion = $quaternion::from_mat3(&$rotation::from_cols_array_2d(&[x, y, z]));
-                let rotor = Rotor::from_quaternion_xyzw(quaternion.to_array()).ok_or(NotRigid::NotFinite)?;
-                Ok(Self::from_rotor_translator(rotor, Translator::from_vector(origin.into())))
+                Self::from_columns(matrix.to_cols_array_2d())
             }
         }
 
@@ -244,5 +147,5 @@ macro_rules! convert_matrices {
     };
 }
 
-convert_matrices!(f32, Mat4, Affine3A, Mat3, Quat, TOLERANCE_F32);
-convert_matrices!(f64, DMat4, DAffine3, DMat3, DQuat, TOLERANCE_F64);
+convert_matrices!(f32, Mat4, Affine3A);
+convert_matrices!(f64, DMat4, DAffine3);

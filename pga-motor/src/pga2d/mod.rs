@@ -18,20 +18,26 @@
 mod algebra;
 mod bivector;
 mod even;
+mod interpolate;
+mod kind;
 mod line;
 mod motor;
 mod odd;
 mod point;
 mod products;
+mod rigid;
 mod rotor;
 mod translator;
 
 pub use algebra::*;
+pub use interpolate::{ScrewPath, blend, interpolate_joint};
+pub use kind::MotionKind;
 
 /// The types in single precision: `pga2d::f32::Motor` is `pga2d::Motor<f32>`.
 pub mod f32 {
     crate::precision::aliases! {
         f32: Motor EvenMultivector Rotor Translator Bivector Line UnitLine Point Direction OddMultivector Pseudoscalar
+        ScrewPath
     }
 }
 
@@ -39,5 +45,6 @@ pub mod f32 {
 pub mod f64 {
     crate::precision::aliases! {
         f64: Motor EvenMultivector Rotor Translator Bivector Line UnitLine Point Direction OddMultivector Pseudoscalar
+        ScrewPath
     }
 }

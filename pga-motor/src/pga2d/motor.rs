@@ -236,23 +236,4 @@ impl<T: Real> Motor<T> {
         let motor = kernels::motor_between_lines(from, to);
         motor.is_finite().then_some(motor)
     }
-
-    /// From this motion at t = 0 to the other at t = 1 the short way: a (1 - t) + b t, made unit again, with -b in
-    /// place of b where the rotors' scalar product is negative. The end is `other` or its negative, the same motion.
-    ///
-    /// Motions half a turn apart are joined by one of the two ways; b = -a is the same motion and stays put. Defined
-    /// for every finite t; outside [0, 1] it extrapolates. NaN where something is not finite.
-    ///
-    /// ```
-    /// use pga_motor::pga2d::f64::{Motor, Point};
-    ///
-    /// let turn = |angle| Motor::about(Point::new(3.0, 0.0), angle);
-    /// let middle = turn(0.0).nlerp(-turn(1.0), 0.5);
-    /// assert!(middle.transform_origin().distance_to_point(turn(0.5).transform_origin()) < 1e-15);
-    /// ```
-    pub fn nlerp(self, other: Self, t: T) -> Self {
-        let long_way = kernels::motor_scalar_product_motor(self, other) < T::ZERO;
-        let near = if long_way { -other } else { other };
-        (self * (T::ONE - t) + near * t).over_norm()
-    }
 }
