@@ -12,6 +12,7 @@ mod exact;
 #[allow(dead_code)]
 mod samples;
 
+use ga_codegen::approximation::Function;
 use ga_codegen::factor::factor_polynomials;
 use ga_codegen::kernel::{Analytic, Definition, Kernel};
 use ga_codegen::program::{FloatDomain, Operands, Operation, Program, Value};
@@ -36,6 +37,7 @@ enum Mutation {
     LeftOut,
     SwappedQuotient,
     SwappedAtan2,
+    OtherFunction,
     SineForCosine,
     CosineForSine,
 }
@@ -77,6 +79,7 @@ fn name(operation: Operation) -> &'static str {
         Operation::Cos(_) => "cosine",
         Operation::Atan2(..) => "arc tangent",
         Operation::Quotient(..) => "quotient",
+        Operation::Polynomial(..) => "polynomial",
     }
 }
 
@@ -104,6 +107,10 @@ fn replacements(operation: Operation) -> Vec<(Mutation, Operation)> {
                 Operation::Norm(Operands::new(&rest.collect::<Vec<_>>()).expect("fewer operands"))
             };
             (0..operands.len()).map(|left_out| (LeftOut, without(left_out))).collect()
+        }
+        Operation::Polynomial(function, precision, a) => {
+            let others = Function::ALL.into_iter().filter(|&other| other != function);
+            others.map(|other| (OtherFunction, Operation::Polynomial(other, precision, a))).collect()
         }
         Operation::Atan2(y, x) => vec![(SwappedAtan2, Operation::Atan2(x, y))],
         Operation::Sin(angle) => vec![(CosineForSine, Operation::Cos(angle))],

@@ -17,7 +17,7 @@ mod exact;
 mod samples;
 
 use dispatch::{take, take_scalar};
-use exact::{Exact, irrational};
+use exact::Exact;
 use ga_codegen::kernel::{ComponentValue, Definition, Entity};
 use ga_codegen::reference::Multivector;
 use samples::Random;
@@ -26,9 +26,6 @@ use std::collections::BTreeSet;
 exact_scalar!(pga_motor::scalar {
     const EPSILON: Self = Exact::ZERO;
     const PI: Self = Exact::ZERO;
-    fn from_f64(_: f64) -> Self {
-        irrational()
-    }
     fn to_f64(self) -> f64 {
         self.to_f64()
     }

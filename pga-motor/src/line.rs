@@ -1,6 +1,8 @@
 //! Lines and screws.
 
-use crate::{Direction, Line, Motor, Point, Real, Scalar, UnitLine, UnitPlane, kernels, magnitude};
+use crate::{
+    Direction, LengthMismatch, Line, Motor, Point, Real, Scalar, UnitLine, UnitPlane, kernels, magnitude, slices,
+};
 
 impl<T: Scalar> Line<T> {
     /// Which way the line runs, as long as its norm: (e23, e31, e12).
@@ -115,6 +117,33 @@ impl<T: Real> Line<T> {
     #[inline]
     pub fn exp(self) -> Motor<T> {
         kernels::line_exp(self)
+    }
+
+    /// Writes the motion that each screw generates into the place with the same index: [`Self::exp`] of many.
+    ///
+    /// For turns by at most half a turn, half-angles up to about pi/2, by polynomials that the compiler makes vector code of; so
+    /// results may differ from those of [`Self::exp`] in the last digits. Where the angle is greater, or NaN, it is done one by
+    /// one.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    ///
+    /// ```
+    /// use pga_motor::f32::{Line, Motor};
+    ///
+    /// let lines = [Line::new(0.0, 0.0, 0.5, 0.0, 0.0, 1.0), Line::new(0.0, 0.0, 0.0, 1.0, 2.0, 3.0)];
+    /// let mut motors = [Motor::IDENTITY; 2];
+    /// Line::exp_slice(&lines, &mut motors)?;
+    /// assert!((motors[0] - lines[0].exp()).norm() < 2.0 * f32::EPSILON);
+    /// assert_eq!(motors[1], lines[1].exp());
+    /// # Ok::<(), pga_motor::LengthMismatch>(())
+    /// ```
+    pub fn exp_slice(lines: &[Self], motors: &mut [Motor<T>]) -> Result<(), LengthMismatch> {
+        if slices::is_single::<T>() {
+            slices::map_quickly(lines, motors, kernels::line_exp_f32, kernels::line_exp_f32_holds, Self::exp)
+        } else {
+            slices::map_quickly(lines, motors, kernels::line_exp_f64, kernels::line_exp_f64_holds, Self::exp)
+        }
     }
 }
 

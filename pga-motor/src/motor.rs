@@ -283,6 +283,38 @@ impl<T: Real> Motor<T> {
         kernels::motor_log(self.short_way())
     }
 
+    /// Writes the logarithm of each motor into the place with the same index: [`Self::log`] of many.
+    ///
+    /// By polynomials in the scalar part, which the compiler makes vector code of; so results may differ from those of
+    /// [`Self::log`] in the last digits, and by as much as a motor is off unit norm: [`Self::renormalize`] what has gathered
+    /// rounding errors. Where the scalar part is above 1.0009 or NaN it is done one by one.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    ///
+    /// ```
+    /// use pga_motor::f32::{Line, Motor, Rotor};
+    ///
+    /// let motors = [Motor::IDENTITY, Rotor::about_x(2.0).into()];
+    /// let mut logs = [Line::ZERO; 2];
+    /// Motor::log_slice(&motors, &mut logs)?;
+    /// assert_eq!(logs[0], Line::ZERO);
+    /// assert!((logs[1] - motors[1].log()).norm() < 4.0 * f32::EPSILON);
+    /// # Ok::<(), pga_motor::LengthMismatch>(())
+    /// ```
+    pub fn log_slice(motors: &[Self], lines: &mut [Line<T>]) -> Result<(), LengthMismatch> {
+        let single = slices::is_single::<T>();
+        let quick = |motor: Self| {
+            let near = motor.short_way();
+            if single { kernels::motor_log_f32(near) } else { kernels::motor_log_f64(near) }
+        };
+        let holds = |motor: Self| {
+            let near = motor.short_way();
+            if single { kernels::motor_log_f32_holds(near) } else { kernels::motor_log_f64_holds(near) }
+        };
+        slices::map_quickly(motors, lines, quick, holds, Self::log)
+    }
+
     /// The generator of the motor itself, by at most a whole turn: exp(m.log_double_cover()) is m and not -m.
     ///
     /// The same as [`Self::log`] where the scalar part is not negative; otherwise the motion the long way round, between half a

@@ -83,7 +83,7 @@ fn points_are_transformed_in_order_or_not_at_all() {
     let mut moved = points;
     motor.transform_points_in_place(&mut moved);
     assert_eq!(moved, expected);
-    let mismatch = Err(LengthMismatch { points: 1, results: 2 });
+    let mismatch = Err(LengthMismatch { items: 1, results: 2 });
     assert_eq!(motor.transform_points(&points[..1], &mut results), mismatch);
 }
 

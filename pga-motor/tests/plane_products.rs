@@ -157,6 +157,6 @@ fn rotors_and_translators_move_points_too() {
     let mut moved = points;
     ROTOR.transform_points_in_place(&mut moved);
     assert_eq!(moved, [Point::ORIGIN, Point::new(-1.0, -2.0)]);
-    let mismatch = Err(LengthMismatch { points: 1, results: 2 });
+    let mismatch = Err(LengthMismatch { items: 1, results: 2 });
     assert_eq!(ROTOR.transform_points(&points[..1], &mut results), mismatch);
 }

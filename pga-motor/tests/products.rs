@@ -313,7 +313,7 @@ fn slices_are_transformed_as_their_items_are() {
 #[test]
 fn slices_of_different_lengths_are_left_alone() {
     let motor = TRANSLATOR * ROTOR;
-    let mismatch = Err(LengthMismatch { points: 2, results: 1 });
+    let mismatch = Err(LengthMismatch { items: 2, results: 1 });
     let mut point = [Point::ORIGIN];
     assert_eq!(motor.transform_points(&[Point::ORIGIN; 2], &mut point), mismatch);
     assert_eq!(ROTOR.transform_points(&[Point::ORIGIN; 2], &mut point), mismatch);

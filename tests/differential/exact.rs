@@ -106,6 +106,9 @@ macro_rules! exact_scalar {
             fn is_finite(self) -> bool {
                 true
             }
+            fn from_f64(_: f64) -> Self {
+                $crate::exact::irrational()
+            }
             fn power_of_two(self) -> Self {
                 $crate::exact::irrational()
             }

@@ -15,15 +15,12 @@ mod suite;
 #[macro_use]
 mod tracked;
 
-use exact::{Exact, irrational};
+use exact::Exact;
 use tracked::Tracked;
 
 exact_scalar!(pga_motor::scalar {
     const EPSILON: Self = Exact::ZERO;
     const PI: Self = Exact::ZERO;
-    fn from_f64(_: f64) -> Self {
-        irrational()
-    }
     fn to_f64(self) -> f64 {
         self.to_f64()
     }
@@ -32,9 +29,6 @@ exact_scalar!(pga_motor::scalar {
 tracked_scalar!(pga_motor::scalar {
     const EPSILON: Self = Tracked::new(f64::EPSILON);
     const PI: Self = Tracked::new(std::f64::consts::PI);
-    fn from_f64(value: f64) -> Self {
-        Self::new(value)
-    }
     fn to_f64(self) -> f64 {
         self.value
     }

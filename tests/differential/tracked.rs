@@ -154,6 +154,9 @@ macro_rules! tracked_scalar {
             fn is_finite(self) -> bool {
                 self.value.is_finite()
             }
+            fn from_f64(value: f64) -> Self {
+                Self::new(value)
+            }
             fn power_of_two(self) -> Self {
                 self.power_of_two()
             }

@@ -3,8 +3,8 @@
 //! A polynomial kernel's program is evaluated on the symbols of the inputs; every output must equal the specified
 //! polynomial modulo the inputs' relations, that is, their difference must have normal form 0.
 //!
-//! The program of `normalize` or `sqrt` is evaluated on fractions of such polynomials in which roots are symbols, see
-//! [`root`]; that of `exp` or `log` on power series, and on polynomials where the series have no value, see [`exponential`].
+//! The program of `normalize` or `sqrt` is evaluated on fractions of such polynomials in which roots are symbols (file
+//! `root`); that of `exp` or `log` on power series, and on polynomials where the series have no value (`exponential`, `locus`).
 //!
 //! This folder knows nothing of how programs are found.
 

@@ -1,7 +1,7 @@
 //! Bivectors: points of any weight, and generators of motions.
 
 use super::{Bivector, Line, Motor, Point, kernels};
-use crate::{Real, Scalar};
+use crate::{LengthMismatch, Real, Scalar, slices};
 
 impl<T: Scalar> Bivector<T> {
     /// ~b: the negative, as of all bivectors.
@@ -63,5 +63,32 @@ impl<T: Real> Bivector<T> {
     #[inline]
     pub fn exp(self) -> Motor<T> {
         kernels::bivector_exp(self)
+    }
+
+    /// Writes the motion that each bivector generates into the place with the same index: [`Self::exp`] of many.
+    ///
+    /// For turns by at most half a turn by polynomials that the compiler makes vector code of; so results may differ from
+    /// those of [`Self::exp`] in the last digits. Where the angle is greater, or NaN, it is done one by one.
+    ///
+    /// # Errors
+    /// Slices of different lengths; then nothing is written.
+    pub fn exp_slice(bivectors: &[Self], motors: &mut [Motor<T>]) -> Result<(), LengthMismatch> {
+        if slices::is_single::<T>() {
+            slices::map_quickly(
+                bivectors,
+                motors,
+                kernels::bivector_exp_f32,
+                kernels::bivector_exp_f32_holds,
+                Self::exp,
+            )
+        } else {
+            slices::map_quickly(
+                bivectors,
+                motors,
+                kernels::bivector_exp_f64,
+                kernels::bivector_exp_f64_holds,
+                Self::exp,
+            )
+        }
     }
 }
