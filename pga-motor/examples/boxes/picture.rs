@@ -86,6 +86,10 @@ pub(crate) fn svg(ways: &[Way]) -> String {
 }
 
 fn write_head(svg: &mut String, width: f64, height: f64) {
+    let caption = format!(
+        "A box carried between two motions of the plane, drawn for {BOXES} evenly spaced values of t; the line is the path \
+         of its centre, dashed that of screw_lerp."
+    );
     put(
         svg,
         format_args!(
@@ -101,8 +105,7 @@ fn write_head(svg: &mut String, width: f64, height: f64) {
 </style>
 <rect width="{width:.0}" height="{height:.0}" fill="#fff"/>
 <text x="{GAP}" y="36" font-size="23" font-weight="600" fill="#23272e">From a to b, four ways</text>
-<text x="{GAP}" y="62" font-size="15" fill="#6b7079">A box carried between two motions of the plane, drawn for {BOXES}
-evenly spaced values of t; the line is the path of its centre, dashed that of screw_lerp.</text>"##
+<text x="{GAP}" y="62" font-size="15" fill="#6b7079">{caption}</text>"##
         ),
     );
 }
