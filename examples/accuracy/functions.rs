@@ -54,6 +54,19 @@ pub(crate) fn space<T: Float>() -> Vec<Function<T>> {
             ours: |x| some(Line::from(all(x)).exp().to_array()),
         },
         Function {
+            name: "Line::exp_slice",
+            result: Shape::Motor,
+            samples: samples::lines,
+            sizes: Sizes::OfInputs,
+            reference: |x| Some(space::Line::new(x).exp().to_vec()),
+            textbook: |x| some(textbook::exp(all(x))),
+            ours: |x| {
+                let mut motor = [Motor::IDENTITY];
+                Line::exp_slice(&[all(x).into()], &mut motor).ok()?;
+                some(motor[0].to_array())
+            },
+        },
+        Function {
             name: "Motor::log",
             result: Shape::Line,
             samples: samples::motors,
@@ -61,6 +74,19 @@ pub(crate) fn space<T: Float>() -> Vec<Function<T>> {
             reference: |x| Some(space::Motor::new(x).log()?.to_vec()),
             textbook: |x| some(textbook::log(textbook::short_way(all(x), x[0]))),
             ours: |x| some(Motor::from(all(x)).log().to_array()),
+        },
+        Function {
+            name: "Motor::log_slice",
+            result: Shape::Line,
+            samples: samples::motors,
+            sizes: Sizes::OfInputs,
+            reference: |x| Some(space::Motor::new(x).log()?.to_vec()),
+            textbook: |x| some(textbook::log(textbook::short_way(all(x), x[0]))),
+            ours: |x| {
+                let mut line = [Line::ZERO];
+                Motor::log_slice(&[all(x).into()], &mut line).ok()?;
+                some(line[0].to_array())
+            },
         },
         Function {
             name: "Motor::log_double_cover",
@@ -204,6 +230,19 @@ pub(crate) fn plane<T: Float>() -> Vec<Function<T>> {
             ours: |x| some(pga2d::Bivector::from(all(x)).exp().to_array()),
         },
         Function {
+            name: "pga2d::Bivector::exp_slice",
+            result: Shape::PlaneMotor,
+            samples: samples::bivectors,
+            sizes: Sizes::OfInputs,
+            reference: |x| Some(plane::Bivector::new(x).exp().to_vec()),
+            textbook: |x| some(textbook::plane::exp(all(x))),
+            ours: |x| {
+                let mut motor = [pga2d::Motor::IDENTITY];
+                pga2d::Bivector::exp_slice(&[all(x).into()], &mut motor).ok()?;
+                some(motor[0].to_array())
+            },
+        },
+        Function {
             name: "pga2d::Motor::log",
             result: Shape::Bivector,
             samples: samples::plane_motors,
@@ -211,6 +250,19 @@ pub(crate) fn plane<T: Float>() -> Vec<Function<T>> {
             reference: |x| Some(plane::Motor::new(x).log()?.to_vec()),
             textbook: |x| some(textbook::plane::log(textbook::short_way(all(x), x[0]))),
             ours: |x| some(pga2d::Motor::from(all(x)).log().to_array()),
+        },
+        Function {
+            name: "pga2d::Motor::log_slice",
+            result: Shape::Bivector,
+            samples: samples::plane_motors,
+            sizes: Sizes::OfInputs,
+            reference: |x| Some(plane::Motor::new(x).log()?.to_vec()),
+            textbook: |x| some(textbook::plane::log(textbook::short_way(all(x), x[0]))),
+            ours: |x| {
+                let mut bivector = [pga2d::Bivector::ZERO];
+                pga2d::Motor::log_slice(&[all(x).into()], &mut bivector).ok()?;
+                some(bivector[0].to_array())
+            },
         },
         Function {
             name: "pga2d::Motor::log_double_cover",
