@@ -89,6 +89,28 @@ pub(crate) fn space<T: Float>() -> Vec<Function<T>> {
             },
         },
         Function {
+            name: "Motor::log between keyframes",
+            result: Shape::Line,
+            samples: samples::between_keyframes,
+            sizes: Sizes::OfInputs,
+            reference: |x| Some(space::Motor::new(x).log()?.to_vec()),
+            textbook: |x| some(textbook::log(textbook::short_way(all(x), x[0]))),
+            ours: |x| some(Motor::from(all(x)).log().to_array()),
+        },
+        Function {
+            name: "Motor::log_slice between keyframes",
+            result: Shape::Line,
+            samples: samples::between_keyframes,
+            sizes: Sizes::OfInputs,
+            reference: |x| Some(space::Motor::new(x).log()?.to_vec()),
+            textbook: |x| some(textbook::log(textbook::short_way(all(x), x[0]))),
+            ours: |x| {
+                let mut line = [Line::ZERO];
+                Motor::log_slice(&[all(x).into()], &mut line).ok()?;
+                some(line[0].to_array())
+            },
+        },
+        Function {
             name: "Motor::log_double_cover",
             result: Shape::Line,
             samples: samples::motors,

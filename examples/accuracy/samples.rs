@@ -4,6 +4,7 @@
 use crate::big::Big;
 use crate::float::Float;
 use crate::{plane, space};
+use pga_motor::Motor;
 
 /// An input and the half-angle that it belongs to.
 #[derive(Clone, Debug)]
@@ -163,6 +164,26 @@ pub(crate) fn motors<T: Float>() -> Vec<Sample<T>> {
     let mut samples = rounded(lines_at::<T>(&half_angles()), space_exp);
     samples.extend(half_turns());
     samples.extend(translators(8));
+    samples
+}
+
+/// Motors from one keyframe to the next, ~a b in floats, with the rounding errors of that product: where the turn between is
+/// small, the coefficient of e0123 is nothing but those.
+pub(crate) fn between_keyframes<T: Float>() -> Vec<Sample<T>> {
+    let mut random = Random(7);
+    let mut samples = Vec::new();
+    for &turn in &half_angles::<T>() {
+        for _ in 0..8 {
+            let (axis, moments): ([f64; 3], [[f64; 3]; 2]) =
+                (random.direction(), [random.direction(), random.direction()]);
+            let [a, b] = [(1.0, moments[0]), (1.0 + turn.to_f64(), moments[1])].map(|(angle, moment)| {
+                let line: Vec<T> = [scaled(axis, angle), scaled(moment, 3.0)].concat();
+                let motor = space_exp(&line.iter().map(|x| x.to_big()).collect::<Vec<_>>());
+                Motor::from(std::array::from_fn::<T, 8, _>(|index| T::from_big(&motor[index])))
+            });
+            samples.extend(Sample::new(turn, (a.reverse() * b).to_array().to_vec()));
+        }
+    }
     samples
 }
 

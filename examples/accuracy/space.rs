@@ -167,7 +167,8 @@ impl Motor {
     /// k b + (k c + p h b), for any even multivector.
     pub(crate) fn log_double_cover(&self) -> Option<Line> {
         let (k, h) = inverse_circular(&self.s, &dot(&self.b, &self.b))?;
-        let c = combine([(&k, &self.c), (&(&self.p * h), &self.b)]);
+        let slide = &self.s * dot(&self.b, &self.c) + &self.p * dot(&self.b, &self.b);
+        let c = combine([(&k, &self.c), (&(slide * h), &self.b)]);
         Some(Line { b: times(&k, &self.b), c })
     }
 

@@ -154,7 +154,9 @@ fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specificatio
             | SpecificationError::BrokenPromise(..) => kernel.output_span,
             SpecificationError::NotABivector(..)
             | SpecificationError::NotAUnit(..)
-            | SpecificationError::NotAStudyNumber(..) => kernel.expression.span,
+            | SpecificationError::NotAStudyNumber(..)
+            | SpecificationError::IndefiniteNorm(..)
+            | SpecificationError::CompoundCoefficient(..) => kernel.expression.span,
             _ => kernel.span,
         };
         syn::Error::new(span, format!("kernel `{}`: {found}", kernel.name))

@@ -549,6 +549,38 @@ kernel f(m: Even) -> Even = 1 + normalize(m);",
 }
 
 #[test]
+fn norms_are_nowhere_negative_and_exponents_have_single_coefficients() {
+    assert_errors(
+        "
+signature (1, 1, 0);
+entity Bivector { e12 }
+entity Even { s: 1, e12 }
+kernel f(m: Even) -> Even = normalize(m);
+kernel g(a: Bivector) -> Even = exp(a);",
+        &[
+            "4:39: kernel `f`: expected a norm x ~x that is nowhere negative, for x = m, found that `e12` has a negative \
+             one",
+            "5:8: kernel `g`: expected a bivector whose square is nowhere positive, found one that can be hyperbolic",
+        ],
+    );
+    assert_errors(
+        "
+signature (2, 0, 0);
+entity Bivector { e12 }
+entity Rotor { s: 1, e12 } where s*s == 1 - e12*e12;
+kernel f(a: Bivector, b: Bivector) -> Rotor = exp(a + b);
+kernel g(a: Bivector, t: Scalar) -> Rotor = exp(a * t);
+kernel h(a: Bivector) -> Rotor = exp(-a / 2);",
+        &[
+            "4:53: kernel `f`: expected multiples of single input coefficients in the argument of `exp`, found a.e12 + \
+             b.e12 as the coefficient of `e12`",
+            "5:51: kernel `g`: expected multiples of single input coefficients in the argument of `exp`, found a.e12 t \
+             as the coefficient of `e12`",
+        ],
+    );
+}
+
+#[test]
 fn polynomials_are_for_exp_and_log_in_precisions_that_there_are() {
     assert_errors(
         "

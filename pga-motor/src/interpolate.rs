@@ -11,13 +11,15 @@
 //! | `split_lerp` | the origin goes straight, the turn takes the great arc | constant | on that of the moved body |
 //! | `log_lerp` | the exponential of the straight line between the logarithms | varies | on that of both spaces |
 
-use crate::{EvenMultivector, Line, Motor, Real, Rotor, Translator, weights};
+use crate::weights::{self, Weights};
+use crate::{EvenMultivector, Line, Motor, Real, Rotor, Translator, alignment, kernels};
 
 /// Interpolation: from this motion at t = 0 to another at t = 1.
 ///
 /// The end is `other` or its negative, the same motion, whichever is nearer: where the Euclidean parts' scalar product
 /// is negative, -b stands for b. So `other` = -`self` stays put, and motions exactly half a turn apart are joined by
-/// one of the two ways. Defined for every t as long as everything is finite, else NaN.
+/// one of the two ways. Defined for every t as long as everything, t times the difference of the ends included, is finite,
+/// else NaN. Equal ends stay put, by `screw_lerp` up to rounding errors times t.
 ///
 /// In what follows 2 h is the angle between the two motions, h in \[0, pi/2\], and costs are for one call, beside
 /// multiplications and additions.
@@ -41,8 +43,7 @@ impl<T: Real> Motor<T> {
     /// assert!((middle - turn(0.5)).norm() < 1e-15);
     /// ```
     pub fn nlerp(self, other: Self, t: T) -> Self {
-        let cosine = (self.reverse() * other).s;
-        sum(self, other, weights::chord(cosine, t)).over_norm()
+        between(self, aligned(self, other), t, weights::chord(t))
     }
 
     /// The straight line between the motors with the weights of the great arc between their rotors,
@@ -65,8 +66,8 @@ impl<T: Real> Motor<T> {
     /// assert!((turn(0.5).slerp(turn(2.5), 0.25) - turn(1.0)).norm() < 1e-15);
     /// ```
     pub fn slerp(self, other: Self, t: T) -> Self {
-        let between = self.reverse() * other;
-        sum(self, other, weights::great_arc(bivector_norm(between.rotor()), between.s, t)).over_norm()
+        let turn = self.reverse() * other;
+        between(self, aligned(self, other), t, weights::great_arc(bivector_norm(turn.rotor()), turn.s, t))
     }
 
     /// The screw from one to the other at constant speed: a exp(t log(~a b)).
@@ -110,7 +111,7 @@ impl<T: Real> Motor<T> {
     pub fn split_lerp(self, other: Self, t: T) -> Self {
         let rotor = self.rotor().slerp(other.rotor(), t);
         let (start, end) = (self.translator().vector(), other.translator().vector());
-        Self::from_rotor_translator(rotor, Translator::from_vector(start * (T::ONE - t) + end * t))
+        Self::from_rotor_translator(rotor, Translator::from_vector(weights::mix(start, end, t, weights::chord(t))))
     }
 
     /// The straight line between the logarithms: exp((1 - t) log a + t log b), with the sign of a.
@@ -131,11 +132,11 @@ impl<T: Real> Motor<T> {
     /// let a = Motor::from(Rotor::about_x(1.0));
     /// let b = Motor::from(Rotor::about_y(1.0));
     /// let middle = ((a.log() + b.log()) * 0.5).exp();
-    /// assert_eq!(a.log_lerp(b, 0.5), middle);
+    /// assert!((a.log_lerp(b, 0.5) - middle).norm() < 1e-15);
     /// ```
     pub fn log_lerp(self, other: Self, t: T) -> Self {
-        let near = if (self.reverse() * other).s < T::ZERO { -other } else { other };
-        let motor = (self.log() * (T::ONE - t) + near.log() * t).exp();
+        let near = aligned(self, other);
+        let motor = weights::mix(self.log(), near.log(), t, weights::chord(t)).exp();
         if self.s < T::ZERO { -motor } else { motor }
     }
 }
@@ -145,8 +146,8 @@ impl<T: Real> Motor<T> {
 impl<T: Real> Rotor<T> {
     /// The straight line between the rotors made unit again: the great arc, faster in the middle. See [`Motor::nlerp`].
     pub fn nlerp(self, other: Self, t: T) -> Self {
-        let cosine = (self.reverse() * other).s;
-        sum(self, other, weights::chord(cosine, t)).over_norm().rotor()
+        let other = if kernels::rotor_scalar_product_rotor(self, other) < T::ZERO { -other } else { other };
+        between(self, other, t, weights::chord(t)).rotor()
     }
 
     /// The great arc at constant speed: r exp(t log(~r other)). See [`Motor::slerp`].
@@ -158,8 +159,9 @@ impl<T: Real> Rotor<T> {
     /// assert!((third.e12 - Rotor::about_z(0.5).e12).abs() < 1e-15);
     /// ```
     pub fn slerp(self, other: Self, t: T) -> Self {
-        let between = self.reverse() * other;
-        sum(self, other, weights::great_arc(bivector_norm(between), between.s, t)).over_norm().rotor()
+        let turn = self.reverse() * other;
+        let other = if turn.s < T::ZERO { -other } else { other };
+        between(self, other, t, weights::great_arc(bivector_norm(turn), turn.s, t)).rotor()
     }
 }
 
@@ -250,9 +252,9 @@ impl<T: Real> ScrewPath<T> {
 /// assert_eq!(blend(&[(by(4.0, 0.0), 1.0), (by(0.0, 4.0), -1.0)]), None);
 /// ```
 pub fn blend<T: Real>(inputs: &[(Motor<T>, T)]) -> Option<Motor<T>> {
-    let sum = weights::aligned_sum(inputs, |a: Motor<T>, b| (a.reverse() * b).s)?;
+    let sum = alignment::aligned_sum(inputs, kernels::motor_scalar_product_motor)?;
     let sum = EvenMultivector::from(sum);
-    if sum.norm() <= weights::rounding(inputs.len()) {
+    if sum.norm() <= alignment::rounding(inputs.len()) {
         return None;
     }
     let motor = sum.over_norm();
@@ -274,12 +276,23 @@ pub fn interpolate_joint<T: Real>(rest: Motor<T>, animated: Motor<T>, weight: T)
     rest.screw_lerp(animated, weight)
 }
 
-fn sum<T: Real>(
+/// The motor or its negative, the same motion, whichever is nearer to a.
+fn aligned<T: Real>(a: Motor<T>, motor: Motor<T>) -> Motor<T> {
+    if kernels::motor_scalar_product_motor(a, motor) < T::ZERO { -motor } else { motor }
+}
+
+/// The weighted sum of the ends made a motor; between them its norm is near 1.
+fn between<T: Real>(
     a: impl Into<EvenMultivector<T>>,
     b: impl Into<EvenMultivector<T>>,
-    [start, end]: [T; 2],
-) -> EvenMultivector<T> {
-    a.into() * start + b.into() * end
+    t: T,
+    weights: Weights<T>,
+) -> Motor<T> {
+    let sum = weights::mix(a.into(), b.into(), t, weights);
+    if weights::is_between(t) {
+        return sum.over_norm();
+    }
+    sum.normalize().unwrap_or_else(|| (sum * T::from_f64(f64::NAN)).over_norm())
 }
 
 /// The sine of half the angle of a turn.

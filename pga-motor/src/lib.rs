@@ -46,6 +46,7 @@
 extern crate alloc;
 
 mod algebra;
+mod alignment;
 mod even;
 pub mod import;
 #[cfg(feature = "glam")]

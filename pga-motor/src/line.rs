@@ -1,5 +1,6 @@
 //! Lines and screws.
 
+use crate::scalar::{Precision, precision};
 use crate::{
     Direction, LengthMismatch, Line, Motor, Point, Real, Scalar, UnitLine, UnitPlane, kernels, magnitude, slices,
 };
@@ -105,7 +106,8 @@ impl<T: Real> Line<T> {
     ///
     /// The turn by angle t about the unit line l, counter-clockwise seen against its direction, is the exponential of
     /// -t/2 l; the translation by (x, y, z) that of -(x e01 + y e02 + z e03)/2. [`Motor::from_screw`] takes the angle
-    /// itself. NaN in gives NaN out.
+    /// itself. Any finite half-angle will do, and the result keeps the digits of the smallest. NaN in gives NaN out, and so does
+    /// an infinite coefficient; an ideal part above about a quarter of the greatest number may overflow to either on the way.
     ///
     /// ```
     /// use pga_motor::f64::{Direction, Point};
@@ -139,10 +141,14 @@ impl<T: Real> Line<T> {
     /// # Ok::<(), pga_motor::LengthMismatch>(())
     /// ```
     pub fn exp_slice(lines: &[Self], motors: &mut [Motor<T>]) -> Result<(), LengthMismatch> {
-        if slices::is_single::<T>() {
-            slices::map_quickly(lines, motors, kernels::line_exp_f32, kernels::line_exp_f32_holds, Self::exp)
-        } else {
-            slices::map_quickly(lines, motors, kernels::line_exp_f64, kernels::line_exp_f64_holds, Self::exp)
+        match precision::<T>() {
+            Precision::Single => {
+                slices::map_quickly(lines, motors, kernels::line_exp_f32, kernels::line_exp_f32_holds, Self::exp)
+            }
+            Precision::Double => {
+                slices::map_quickly(lines, motors, kernels::line_exp_f64, kernels::line_exp_f64_holds, Self::exp)
+            }
+            Precision::Finer => slices::map(lines, motors, Self::exp),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Rigid motions.
 
 use crate::kernels::Matrix;
+use crate::scalar::{Precision, precision};
 use crate::{
     Direction, EvenMultivector, LengthMismatch, Line, Motor, Plane, Point, ProjectivePoint, Real, Rotor, Scalar,
     Translator, UnitLine, UnitPlane, kernels, slices,
@@ -303,16 +304,23 @@ impl<T: Real> Motor<T> {
     /// # Ok::<(), pga_motor::LengthMismatch>(())
     /// ```
     pub fn log_slice(motors: &[Self], lines: &mut [Line<T>]) -> Result<(), LengthMismatch> {
-        let single = slices::is_single::<T>();
-        let quick = |motor: Self| {
-            let near = motor.short_way();
-            if single { kernels::motor_log_f32(near) } else { kernels::motor_log_f64(near) }
-        };
-        let holds = |motor: Self| {
-            let near = motor.short_way();
-            if single { kernels::motor_log_f32_holds(near) } else { kernels::motor_log_f64_holds(near) }
-        };
-        slices::map_quickly(motors, lines, quick, holds, Self::log)
+        match precision::<T>() {
+            Precision::Single => slices::map_quickly(
+                motors,
+                lines,
+                |motor: Self| kernels::motor_log_f32(motor.short_way()),
+                |motor: Self| kernels::motor_log_f32_holds(motor.short_way()),
+                Self::log,
+            ),
+            Precision::Double => slices::map_quickly(
+                motors,
+                lines,
+                |motor: Self| kernels::motor_log_f64(motor.short_way()),
+                |motor: Self| kernels::motor_log_f64_holds(motor.short_way()),
+                Self::log,
+            ),
+            Precision::Finer => slices::map(motors, lines, Self::log),
+        }
     }
 
     /// The generator of the motor itself, by at most a whole turn: exp(m.log_double_cover()) is m and not -m.
@@ -322,7 +330,10 @@ impl<T: Real> Motor<T> {
     /// can be.
     ///
     /// `None` where there is no generator or no one axis: for -1, and for the negative of a translator, whose scalar part is
-    /// negative while nothing turns.
+    /// negative while nothing turns; and where the axis is so far away that its moment is beyond the range of the numbers.
+    ///
+    /// Near -1 exp magnifies what pi is rounded by with that moment, so there its result is less exact than the generator is. For
+    /// half the motion see [`Self::sqrt_double_cover`].
     ///
     /// ```
     /// use pga_motor::f64::{Motor, Rotor};
@@ -355,7 +366,7 @@ impl<T: Real> Motor<T> {
     /// The square root of the motor itself, with a scalar part that is not negative: its square is m and not -m. Where the
     /// scalar part of m is negative this is half of the long way round.
     ///
-    /// `None` for -1 and for the negative of a translator, as for [`Self::log_double_cover`].
+    /// `None` for -1, for the negative of a translator, and for an axis out of range, as for [`Self::log_double_cover`].
     pub fn sqrt_double_cover(self) -> Option<Self> {
         let Some(axis) = self.long_way_axis()? else { return Some(self.sqrt()) };
         // m = exp(L + pi U) with -m = exp(L) about the same unit axis U, and exp(pi/2 U) = U.
@@ -408,7 +419,8 @@ impl<T: Real> Motor<T> {
     /// The turn about their common line that carries a unit plane to another, normal to normal; for parallel planes the
     /// translation along their normal.
     ///
-    /// `None` for planes whose normals are opposite: any axis in the plane would do; and where something is not finite.
+    /// Accurate up to planes that all but face each other. `None` for planes whose normals are exactly opposite: any axis in the
+    /// plane would do; and where something is not finite.
     ///
     /// ```
     /// use pga_motor::f64::{Direction, Motor, Point, UnitPlane};
@@ -428,8 +440,8 @@ impl<T: Real> Motor<T> {
     /// The screw about their common perpendicular that carries a unit line to another, direction to direction: a turn by
     /// the angle between them and a slide by their distance. For lines that meet a turn, for parallel ones a translation.
     ///
-    /// `None` for lines that run in opposite directions: any axis perpendicular to them would do; and where something is
-    /// not finite.
+    /// Accurate up to lines that run in all but opposite directions. `None` for exactly opposite ones: any axis perpendicular to
+    /// them would do; and where something is not finite.
     ///
     /// ```
     /// use pga_motor::f64::{Direction, Motor, Point, UnitLine};

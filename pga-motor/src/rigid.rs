@@ -5,6 +5,7 @@
 //! scales, shears and mirrors do not. What passes is made exactly unit. Otherwise [`NotRigid`] tells what was found,
 //! and where. m and -m are the same motion; back comes the one of the two whose scalar part is not negative.
 
+use crate::scalar::{Precision, precision};
 use crate::{Direction, EvenMultivector, Motor, Real, Rotor, Scalar, Translator, kernels};
 use core::fmt;
 
@@ -79,25 +80,25 @@ impl fmt::Display for NotRigid {
                 write!(f, "column {column}, row {row}: expected a finite entry, found an infinite one or NaN")
             }
             Self::LastRow { column, found, expected, tolerance } => {
-                write!(f, "column {column}, last row: expected {expected} to {tolerance:e}, found {found}")
+                write!(f, "column {column}, last row: expected {expected} within {tolerance:e}, found {found}")
             }
             Self::Scaled { column, length_squared, tolerance } => {
                 write!(
                     f,
-                    "column {column}: expected an axis of squared length 1 to {tolerance:e}, found {length_squared}"
+                    "column {column}: expected an axis of squared length 1 within {tolerance:e}, found {length_squared}"
                 )
             }
             Self::Sheared { columns: [a, b], product, tolerance } => {
                 write!(
                     f,
-                    "columns {a} and {b}: expected perpendicular axes, product 0 to {tolerance:e}, found {product}"
+                    "columns {a} and {b}: expected perpendicular axes, product 0 within {tolerance:e}, found {product}"
                 )
             }
             Self::Mirror { determinant } => {
                 write!(f, "expected a rotation with determinant 1, found a mirror with determinant {determinant}")
             }
             Self::NotUnit { norm_squared, tolerance } => {
-                write!(f, "expected a quaternion of squared norm 1 to {tolerance:e}, found {norm_squared}")
+                write!(f, "expected a quaternion of squared norm 1 within {tolerance:e}, found {norm_squared}")
             }
         }
     }
@@ -204,7 +205,7 @@ fn near_rotor<T: Real>(axes: [Direction<T>; 3]) -> Rotor<T> {
 
 /// Types as fine as `f64` must be as exact as that, coarser ones as `f32`.
 pub(crate) fn tolerance<T: Real>() -> f64 {
-    if T::EPSILON.to_f64() < f64::from(f32::EPSILON) { TOLERANCE_F64 } else { TOLERANCE_F32 }
+    if precision::<T>() == Precision::Single { TOLERANCE_F32 } else { TOLERANCE_F64 }
 }
 
 /// Whether a matrix, given by columns, is finite and affine with orthonormal axes.

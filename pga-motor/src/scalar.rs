@@ -71,6 +71,30 @@ pub trait Real: Scalar + PartialOrd + Div<Output = Self> {
     }
 }
 
+/// How fine a type is, for what differs between the formats of floating-point numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Precision {
+    /// As `f32`, or coarser.
+    Single,
+    /// As `f64`, or between the two.
+    Double,
+    /// Finer than `f64`.
+    Finer,
+}
+
+/// The precision of a type.
+#[inline]
+pub(crate) fn precision<T: Real>() -> Precision {
+    let epsilon = T::EPSILON.to_f64();
+    if epsilon >= f64::from(f32::EPSILON) {
+        Precision::Single
+    } else if epsilon >= f64::EPSILON {
+        Precision::Double
+    } else {
+        Precision::Finer
+    }
+}
+
 macro_rules! implement_scalar {
     ($float:ident) => {
         impl Scalar for $float {

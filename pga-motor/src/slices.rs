@@ -1,6 +1,5 @@
 //! Functions over slices.
 
-use crate::Real;
 use core::fmt;
 
 /// Two slices that should be of the same length are not.
@@ -56,12 +55,6 @@ pub(crate) fn map_quickly<X: Copy, Y>(
         }
     }
     Ok(())
-}
-
-/// Whether a type has the precision of `f32`, so that polynomials for that are as good as any; else those for `f64` are.
-#[inline]
-pub(crate) fn is_single<T: Real>() -> bool {
-    T::EPSILON.to_f64() >= f64::from(f32::EPSILON)
 }
 
 fn check_lengths<X, Y>(items: &[X], results: &[Y]) -> Result<(), LengthMismatch> {

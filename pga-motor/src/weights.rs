@@ -1,116 +1,56 @@
-//! Weights for sums of motors: what the interpolations in space and in the plane have in common.
+//! Weights for sums of two: what the interpolations in space and in the plane have in common.
 
 use crate::Real;
-use core::ops::Neg;
+use core::ops::{Add, Mul, Sub};
 
-/// Weights for the straight line from a to b, and to -b where the scalar product of their Euclidean parts is negative:
-/// the short way.
+/// How to add two motors up: the nearer end times one weight, and the difference to the other end times another. So an
+/// end is exact, and equal ends stay put however far t is outside \[0, 1\].
+#[derive(Clone, Copy)]
+pub(crate) struct Weights<T> {
+    /// What the nearer end is multiplied by: the sum of the two motors' weights.
+    pub(crate) near: T,
+    /// What the other end minus the nearer one is multiplied by: the other motor's weight.
+    pub(crate) step: T,
+}
+
+/// t counted from the nearer end.
+fn from_nearer_end<T: Real>(t: T) -> T {
+    if t > T::from_ratio(1, 2) { T::ONE - t } else { t }
+}
+
+/// The sum of two elements of a linear type with weights for t.
 #[inline]
-pub(crate) fn chord<T: Real>(cosine: T, t: T) -> [T; 2] {
-    [T::ONE - t, short_way(cosine, t)]
+pub(crate) fn mix<T, V>(a: V, b: V, t: T, weights: Weights<T>) -> V
+where
+    T: Real,
+    V: Copy + Add<Output = V> + Sub<Output = V> + Mul<T, Output = V>,
+{
+    let (near, far) = if t > T::from_ratio(1, 2) { (b, a) } else { (a, b) };
+    near * weights.near + (far - near) * weights.step
 }
 
-/// Weights for the great arc from a to b, and to -b where the cosine of the angle between their Euclidean parts is
-/// negative, run through at constant speed (Shoemake 1985). Sines are divided by their angles, so that small angles
-/// need no case of their own.
-pub(crate) fn great_arc<T: Real>(sine: T, cosine: T, t: T) -> [T; 2] {
-    let angle = sine.atan2(cosine.abs());
-    let whole = sinc(angle);
-    let weight = |part: T| part * (sinc(part * angle) / whole);
-    [weight(T::ONE - t), short_way(cosine, weight(t))]
+/// Whether t is between the ends.
+#[inline]
+pub(crate) fn is_between<T: Real>(t: T) -> bool {
+    t >= T::ZERO && t <= T::ONE
 }
 
-fn short_way<T: Real>(cosine: T, weight: T) -> T {
-    if cosine < T::ZERO { -weight } else { weight }
+/// Weights for the straight line.
+#[inline]
+pub(crate) fn chord<T: Real>(t: T) -> Weights<T> {
+    Weights { near: T::ONE, step: from_nearer_end(t) }
+}
+
+/// Weights for the great arc, run through at constant speed (Shoemake 1985): sin((1 - t) h)/sin h and sin(t h)/sin h, whose sum is
+/// cos((1/2 - t) h)/cos(h/2). Sines are divided by their angles, so that small angles need no case of their own.
+pub(crate) fn great_arc<T: Real>(sine: T, cosine: T, t: T) -> Weights<T> {
+    let (angle, t) = (sine.atan2(cosine.abs()), from_nearer_end(t));
+    let half = T::from_ratio(1, 2);
+    let cosine = |angle: T| angle.sin_cos().1;
+    Weights { near: cosine((half - t) * angle) / cosine(half * angle), step: t * (sinc(t * angle) / sinc(angle)) }
 }
 
 fn sinc<T: Real>(angle: T) -> T {
     let (sine, _) = angle.sin_cos();
     sine.quotient(angle, T::ONE)
-}
-
-/// The sum of motors, given as their coefficients, with weights whose magnitudes add up to 1 and whose sum is positive,
-/// each motor with the sign that brings it nearer to the heaviest, whose sign the sum has. Up to that, the signs of the
-/// inputs do not matter.
-///
-/// `None` where there is nothing finite to add, or the weights add up to 0 to rounding. The sum itself may cancel; what
-/// is not longer than [`rounding`] has.
-pub(crate) fn aligned_sum<T, M, const N: usize>(inputs: &[(M, T)], scalar_product: impl Fn(M, M) -> T) -> Option<[T; N]>
-where
-    T: Real,
-    M: Copy + Neg<Output = M> + Into<[T; N]>,
-{
-    let finite = |motor: M| motor.into().iter().all(|coefficient| coefficient.is_finite());
-    if !inputs.iter().all(|&(motor, weight)| weight.is_finite() && finite(motor)) {
-        return None;
-    }
-    let larger = |a: T, b: T| if b > a { b } else { a };
-    let largest = inputs.iter().fold(T::ZERO, |largest, &(_, weight)| larger(largest, weight.abs()));
-    if largest == T::ZERO {
-        return None;
-    }
-    let sum = |term: fn(T) -> T| inputs.iter().fold(T::ZERO, |sum, &(_, weight)| sum + term(weight / largest));
-    let (total, magnitudes) = (sum(|weight| weight), sum(|weight| weight.abs()));
-    if total.abs() <= magnitudes * rounding(inputs.len()) {
-        return None;
-    }
-    let scale = if total < T::ZERO { -magnitudes } else { magnitudes };
-    let weighted = |&(motor, weight): &(M, T)| (motor, weight / largest / scale);
-    let heaviest = heaviest(inputs.iter().map(weighted))?;
-    let reference = canonical(heaviest);
-    let mut sum = [T::ZERO; N];
-    for (motor, weight) in inputs.iter().map(weighted) {
-        let coefficients: [T; N] = aligned(motor, scalar_product(reference, motor)).into();
-        sum.iter_mut().zip(coefficients).for_each(|(sum, coefficient)| *sum = *sum + coefficient * weight);
-    }
-    Some(if is_canonical(heaviest) { sum } else { sum.map(|coefficient| -coefficient) })
-}
-
-/// How long the sum of `count` terms, whose lengths add up to 1, may be although the exact sum is 0.
-///
-/// With u = EPSILON / 2, each term of length w is off by u w for each of four roundings: of the motor itself, of the
-/// two quotients that make its weight, of the product. The sums add at most (count - 1) u. Together (count + 3) u,
-/// which is at most (count + 1) EPSILON.
-pub(crate) fn rounding<T: Real>(count: usize) -> T {
-    T::EPSILON * T::from_f64(count as f64 + 1.0)
-}
-
-/// The input of greatest weight. Equal weights are told apart by the coefficients of the motor in its canonical sign,
-/// of two equal motions the one in its canonical sign is taken: the order of the inputs does not matter.
-fn heaviest<T, M, const N: usize>(inputs: impl Iterator<Item = (M, T)>) -> Option<M>
-where
-    T: Real,
-    M: Copy + Neg<Output = M> + Into<[T; N]>,
-{
-    let rank = |(motor, weight): (M, T)| (weight, canonical(motor).into(), is_canonical(motor));
-    inputs.reduce(|best, next| if rank(next) > rank(best) { next } else { best }).map(|(motor, _)| motor)
-}
-
-/// The motor or its negative, whichever is nearer to the reference; between the two the one in its canonical sign.
-fn aligned<T, M, const N: usize>(motor: M, product_with_reference: T) -> M
-where
-    T: Real,
-    M: Copy + Neg<Output = M> + Into<[T; N]>,
-{
-    if product_with_reference == T::ZERO {
-        canonical(motor)
-    } else if product_with_reference < T::ZERO {
-        -motor
-    } else {
-        motor
-    }
-}
-
-/// The motor or its negative: the one whose first coefficient other than 0 is positive.
-fn canonical<T, M, const N: usize>(motor: M) -> M
-where
-    T: Real,
-    M: Copy + Neg<Output = M> + Into<[T; N]>,
-{
-    if is_canonical(motor) { motor } else { -motor }
-}
-
-fn is_canonical<T: Real, const N: usize>(motor: impl Into<[T; N]>) -> bool {
-    let first = motor.into().into_iter().find(|coefficient| *coefficient != T::ZERO);
-    first.is_none_or(|coefficient| coefficient > T::ZERO)
 }

@@ -131,7 +131,7 @@ fn matrices_that_are_not_rigid_are_refused() {
     let tolerance = TOLERANCE_F32;
     let scaled = refused(Mat4::from_scale(Vec3::splat(2.0)));
     assert_eq!(scaled, NotRigid::Scaled { column: 0, length_squared: 4.0, tolerance });
-    assert_eq!(scaled.to_string(), "column 0: expected an axis of squared length 1 to 1e-4, found 4");
+    assert_eq!(scaled.to_string(), "column 0: expected an axis of squared length 1 within 1e-4, found 4");
 
     let sheared = Mat4::from_cols(Vec4::X, Vec4::new(0.6, 0.8, 0.0, 0.0), Vec4::Z, Vec4::W);
     assert!(
@@ -163,7 +163,7 @@ fn quaternions_that_are_not_unit_are_refused() {
     let refused = |quaternion: DQuat| Rotor::try_from(quaternion).unwrap_err();
     let long = refused(DQuat::from_xyzw(0.0, 0.0, 0.0, 2.0));
     assert_eq!(long, NotRigid::NotUnit { norm_squared: 4.0, tolerance: TOLERANCE_F64 });
-    assert_eq!(long.to_string(), "expected a quaternion of squared norm 1 to 1e-6, found 4");
+    assert_eq!(long.to_string(), "expected a quaternion of squared norm 1 within 1e-6, found 4");
     assert_eq!(
         refused(DQuat::from_xyzw(0.0, 0.0, 0.0, 0.0)),
         NotRigid::NotUnit { norm_squared: 0.0, tolerance: TOLERANCE_F64 }

@@ -24,7 +24,7 @@ pub mod scalar {
         fn sqrt(self) -> Self;
         /// Sine and cosine of an angle in radians.
         fn sin_cos(self) -> (Self, Self);
-        /// The angle of the point (x, self) in radians, in (-pi, pi].
+        /// The angle of the point (x, self) in radians, in [-pi, pi].
         fn atan2(self, x: Self) -> Self;
         /// The absolute value.
         fn abs(self) -> Self;
@@ -3470,8 +3470,8 @@ pub mod kernels {
             e20: b.e20 * sin_over_norm,
         }
     }
-    /// Whether [`bivector_exp_f32`] holds for an input: whether its polynomials, such as that for
-    /// cos √A, are near what they stand for. False for NaN.
+    /// Whether [`bivector_exp_f32`] holds for an input: true where
+    /// A = `b.e12^2` is in [0, 2.5]. False for NaN.
     #[inline]
     pub fn bivector_exp_f32_holds<T: Real>(b: Bivector<T>) -> bool {
         (T::from_f64(0.0)..=T::from_f64(2.5)).contains(&(b.e12 * b.e12))
@@ -3482,7 +3482,11 @@ pub mod kernels {
     ///
     /// Cost: 13 mul + 9 add. Proof: series to order 12.
     ///
-    /// By polynomials, without roots, divisions or library calls, where [`bivector_exp_f32_holds`]: cos √A to 5.91e-10; sin √A / √A to 5.71e-9. Elsewhere the result is wrong.
+    /// By polynomials, each of which counts in the proof as the function that it is near, without roots,
+    /// divisions or library calls; for the inputs of [`bivector_exp_f32_holds`], elsewhere wrong:
+    /// - cos √A: off by at most 5.91e-10;
+    /// - sin √A / √A: off by at most 5.71e-9;
+    /// - as exact as `f32`, whatever `T` is.
     #[inline]
     pub fn bivector_exp_f32<T: Real>(b: Bivector<T>) -> Motor<T> {
         let argument = b.e12 * b.e12;
@@ -3495,8 +3499,8 @@ pub mod kernels {
             e20: b.e20 * sinc_root,
         }
     }
-    /// Whether [`bivector_exp_f64`] holds for an input: whether its polynomials, such as that for
-    /// cos √A, are near what they stand for. False for NaN.
+    /// Whether [`bivector_exp_f64`] holds for an input: true where
+    /// A = `b.e12^2` is in [0, 2.5]. False for NaN.
     #[inline]
     pub fn bivector_exp_f64_holds<T: Real>(b: Bivector<T>) -> bool {
         (T::from_f64(0.0)..=T::from_f64(2.5)).contains(&(b.e12 * b.e12))
@@ -3507,7 +3511,11 @@ pub mod kernels {
     ///
     /// Cost: 20 mul + 16 add. Proof: series to order 12.
     ///
-    /// By polynomials, without roots, divisions or library calls, where [`bivector_exp_f64_holds`]: cos √A to 4.95e-18; sin √A / √A to 2.58e-19. Elsewhere the result is wrong.
+    /// By polynomials, each of which counts in the proof as the function that it is near, without roots,
+    /// divisions or library calls; for the inputs of [`bivector_exp_f64_holds`], elsewhere wrong:
+    /// - cos √A: off by at most 4.95e-18;
+    /// - sin √A / √A: off by at most 2.58e-19;
+    /// - as exact as `f64`, whatever `T` is.
     #[inline]
     pub fn bivector_exp_f64<T: Real>(b: Bivector<T>) -> Motor<T> {
         let argument = b.e12 * b.e12;
@@ -3538,8 +3546,8 @@ pub mod kernels {
             e20: m.e20 * angle_over_norm,
         }
     }
-    /// Whether [`motor_log_f32`] holds for an input: whether its polynomials, such as that for
-    /// acos s / √(1 - s²), s = 1 - x, are near what they stand for. False for NaN.
+    /// Whether [`motor_log_f32`] holds for an input: true where
+    /// x = `1 - m.s` is in [-0.0009765625, 1]. False for NaN.
     #[inline]
     pub fn motor_log_f32_holds<T: Real>(m: Motor<T>) -> bool {
         (T::from_f64(-0.0009765625)..=T::from_f64(1.0)).contains(&(T::ONE - m.s))
@@ -3552,7 +3560,10 @@ pub mod kernels {
     ///
     /// Cost: 12 mul + 10 add. Proof: series to order 12.
     ///
-    /// By polynomials, without roots, divisions or library calls, where [`motor_log_f32_holds`]: acos s / √(1 - s²), s = 1 - x to 1.58e-8. Elsewhere the result is wrong.
+    /// By polynomials, each of which counts in the proof as the function that it is near, without roots,
+    /// divisions or library calls; for the inputs of [`motor_log_f32_holds`], elsewhere wrong:
+    /// - acos s / √(1 - s²), s = 1 - x: off by at most 1.58e-8;
+    /// - as exact as `f32`, whatever `T` is.
     #[inline]
     pub fn motor_log_f32<T: Real>(m: Motor<T>) -> Bivector<T> {
         let argument = T::ONE - m.s;
@@ -3563,8 +3574,8 @@ pub mod kernels {
             e20: m.e20 * angle_ratio,
         }
     }
-    /// Whether [`motor_log_f64`] holds for an input: whether its polynomials, such as that for
-    /// acos s / √(1 - s²), s = 1 - x, are near what they stand for. False for NaN.
+    /// Whether [`motor_log_f64`] holds for an input: true where
+    /// x = `1 - m.s` is in [-0.0009765625, 1]. False for NaN.
     #[inline]
     pub fn motor_log_f64_holds<T: Real>(m: Motor<T>) -> bool {
         (T::from_f64(-0.0009765625)..=T::from_f64(1.0)).contains(&(T::ONE - m.s))
@@ -3577,7 +3588,10 @@ pub mod kernels {
     ///
     /// Cost: 23 mul + 21 add. Proof: series to order 12.
     ///
-    /// By polynomials, without roots, divisions or library calls, where [`motor_log_f64_holds`]: acos s / √(1 - s²), s = 1 - x to 4.06e-17. Elsewhere the result is wrong.
+    /// By polynomials, each of which counts in the proof as the function that it is near, without roots,
+    /// divisions or library calls; for the inputs of [`motor_log_f64_holds`], elsewhere wrong:
+    /// - acos s / √(1 - s²), s = 1 - x: off by at most 4.06e-17;
+    /// - as exact as `f64`, whatever `T` is.
     #[inline]
     pub fn motor_log_f64<T: Real>(m: Motor<T>) -> Bivector<T> {
         let argument = T::ONE - m.s;
@@ -3804,14 +3818,13 @@ pub mod kernels {
     ///
     /// Assumes `m`: `s * s == 1 - e12 * e12`.
     ///
-    /// Cost: 5 mul + 1 add + 1 div + 1 sqrt. Proof: exact, roots included.
+    /// Cost: 5 mul + 2 add + 1 div + 1 sqrt. Proof: exact, roots included.
     #[inline]
     pub fn motor_sqrt<T: Real>(m: Motor<T>) -> Motor<T> {
-        let t0 = m.s + T::ONE;
-        let norm = (t0 + t0).sqrt();
+        let norm = (m.s + m.s + T::from_ratio(2, 1)).sqrt();
         let inverse = T::ONE / norm;
         Motor {
-            s: t0 * inverse,
+            s: (m.s + T::ONE) * inverse,
             e12: m.e12 * inverse,
             e01: m.e01 * inverse,
             e20: m.e20 * inverse,
@@ -3834,22 +3847,25 @@ pub mod kernels {
     /// The turn about the common point, or the translation, that carries a line to another; not for lines that run in opposite
     /// directions.
     ///
-    /// `normalize(1 + b * a)`
+    /// `normalize((a + b) * a)`
     ///
     /// Assumes `a`: `e1 * e1 == 1 - e2 * e2`; `b`: `e1 * e1 == 1 - e2 * e2`.
     ///
-    /// Cost: 14 mul + 6 add + 1 div + 1 sqrt. Proof: exact, roots included.
+    /// Cost: 15 mul + 8 add + 1 div + 1 sqrt. Proof: exact, roots included.
     #[inline]
     pub fn motor_between_lines<T: Real>(a: UnitLine<T>, b: UnitLine<T>) -> Motor<T> {
-        let t0 = T::ONE + a.e1 * b.e1 + a.e2 * b.e2;
-        let t1 = a.e2 * b.e1 - a.e1 * b.e2;
-        let norm = (t0 * t0 + t1 * t1).sqrt();
+        let t0 = a.e0 + b.e0;
+        let t1 = a.e1 + b.e1;
+        let t2 = a.e2 + b.e2;
+        let t3 = (t1 * t1 + t2 * t2) * T::from_ratio(1, 2);
+        let t4 = a.e2 * t1 - a.e1 * t2;
+        let norm = T::norm([t3, t4]);
         let inverse = T::ONE / norm;
         Motor {
-            s: t0 * inverse,
-            e12: t1 * inverse,
-            e01: (a.e1 * b.e0 - a.e0 * b.e1) * inverse,
-            e20: (a.e0 * b.e2 - a.e2 * b.e0) * inverse,
+            s: t3 * inverse,
+            e12: t4 * inverse,
+            e01: (a.e1 * t0 - a.e0 * t1) * inverse,
+            e20: (a.e0 * t2 - a.e2 * t0) * inverse,
         }
     }
     /// What turns in a motion, about which point and how far: its bivector part.

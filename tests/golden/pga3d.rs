@@ -24,7 +24,7 @@ pub mod scalar {
         fn sqrt(self) -> Self;
         /// Sine and cosine of an angle in radians.
         fn sin_cos(self) -> (Self, Self);
-        /// The angle of the point (x, self) in radians, in (-pi, pi].
+        /// The angle of the point (x, self) in radians, in [-pi, pi].
         fn atan2(self, x: Self) -> Self;
         /// The absolute value.
         fn abs(self) -> Self;
@@ -6678,8 +6678,8 @@ pub mod kernels {
             e0123: sin * t0,
         }
     }
-    /// Whether [`line_exp_f32`] holds for an input: whether its polynomials, such as that for
-    /// cos √A, are near what they stand for. False for NaN.
+    /// Whether [`line_exp_f32`] holds for an input: true where
+    /// A = `l.e23^2 + l.e31^2 + l.e12^2` is in [0, 2.5]. False for NaN.
     #[inline]
     pub fn line_exp_f32_holds<T: Real>(l: Line<T>) -> bool {
         (T::from_f64(0.0)..=T::from_f64(2.5))
@@ -6692,7 +6692,12 @@ pub mod kernels {
     ///
     /// Cost: 30 mul + 20 add. Proof: series to order 12.
     ///
-    /// By polynomials, without roots, divisions or library calls, where [`line_exp_f32_holds`]: cos √A to 5.91e-10; sin √A / √A to 5.71e-9; (cos √A - sin √A / √A) / A to 9.99e-9. Elsewhere the result is wrong.
+    /// By polynomials, each of which counts in the proof as the function that it is near, without roots,
+    /// divisions or library calls; for the inputs of [`line_exp_f32_holds`], elsewhere wrong:
+    /// - cos √A: off by at most 5.91e-10;
+    /// - sin √A / √A: off by at most 5.71e-9;
+    /// - (cos √A - sin √A / √A) / A: off by at most 9.99e-9;
+    /// - as exact as `f32`, whatever `T` is.
     #[inline]
     pub fn line_exp_f32<T: Real>(l: Line<T>) -> Motor<T> {
         let argument = l.e23 * l.e23 + l.e31 * l.e31 + l.e12 * l.e12;
@@ -6712,8 +6717,8 @@ pub mod kernels {
             e0123: sinc_root * t0,
         }
     }
-    /// Whether [`line_exp_f64`] holds for an input: whether its polynomials, such as that for
-    /// cos √A, are near what they stand for. False for NaN.
+    /// Whether [`line_exp_f64`] holds for an input: true where
+    /// A = `l.e23^2 + l.e31^2 + l.e12^2` is in [0, 2.5]. False for NaN.
     #[inline]
     pub fn line_exp_f64_holds<T: Real>(l: Line<T>) -> bool {
         (T::from_f64(0.0)..=T::from_f64(2.5))
@@ -6726,7 +6731,12 @@ pub mod kernels {
     ///
     /// Cost: 40 mul + 30 add. Proof: series to order 12.
     ///
-    /// By polynomials, without roots, divisions or library calls, where [`line_exp_f64_holds`]: cos √A to 4.95e-18; sin √A / √A to 2.58e-19; (cos √A - sin √A / √A) / A to 1.86e-17. Elsewhere the result is wrong.
+    /// By polynomials, each of which counts in the proof as the function that it is near, without roots,
+    /// divisions or library calls; for the inputs of [`line_exp_f64_holds`], elsewhere wrong:
+    /// - cos √A: off by at most 4.95e-18;
+    /// - sin √A / √A: off by at most 2.58e-19;
+    /// - (cos √A - sin √A / √A) / A: off by at most 1.86e-17;
+    /// - as exact as `f64`, whatever `T` is.
     #[inline]
     pub fn line_exp_f64<T: Real>(l: Line<T>) -> Motor<T> {
         let argument = l.e23 * l.e23 + l.e31 * l.e31 + l.e12 * l.e12;
@@ -6752,7 +6762,7 @@ pub mod kernels {
     ///
     /// Assumes `m`: `s * s == 1 - e23 * e23 - e31 * e31 - e12 * e12`; `m`: `e23 * e01 == s * e0123 - e31 * e02 - e12 * e03`.
     ///
-    /// Cost: 14 mul + 6 add + 5 div + 1 sqrt + 1 trigonometric. Proof: series to order 12.
+    /// Cost: 19 mul + 9 add + 4 div + 1 sqrt + 1 trigonometric. Proof: series to order 12.
     #[inline]
     pub fn motor_log<T: Real>(m: Motor<T>) -> Line<T> {
         let norm = T::norm([m.e12, m.e31, m.e23]);
@@ -6761,8 +6771,10 @@ pub mod kernels {
         let e12_over_norm = m.e12.quotient(norm, T::ZERO);
         let e31_over_norm = m.e31.quotient(norm, T::ZERO);
         let e23_over_norm = m.e23.quotient(norm, T::ZERO);
-        let e0123_over_norm = m.e0123.quotient(norm, T::ZERO);
-        let t0 = (T::ONE - m.s * angle_over_norm) * e0123_over_norm;
+        let t0 = (T::ONE - m.s * angle_over_norm)
+            * (m.e0123 * norm
+                + (m.e01 * e23_over_norm + m.e02 * e31_over_norm + m.e03 * e12_over_norm)
+                    * m.s);
         Line {
             e23: angle * e23_over_norm,
             e31: angle * e31_over_norm,
@@ -6772,8 +6784,8 @@ pub mod kernels {
             e03: m.e03 * angle_over_norm + e12_over_norm * t0,
         }
     }
-    /// Whether [`motor_log_f32`] holds for an input: whether its polynomials, such as that for
-    /// acos s / √(1 - s²), s = 1 - x, are near what they stand for. False for NaN.
+    /// Whether [`motor_log_f32`] holds for an input: true where
+    /// x = `1 - m.s` is in [-0.0009765625, 1]. False for NaN.
     #[inline]
     pub fn motor_log_f32_holds<T: Real>(m: Motor<T>) -> bool {
         (T::from_f64(-0.0009765625)..=T::from_f64(1.0)).contains(&(T::ONE - m.s))
@@ -6786,7 +6798,11 @@ pub mod kernels {
     ///
     /// Cost: 30 mul + 24 add. Proof: series to order 12.
     ///
-    /// By polynomials, without roots, divisions or library calls, where [`motor_log_f32_holds`]: acos s / √(1 - s²), s = 1 - x to 1.58e-8; (1 - s acos s / √(1 - s²)) / (1 - s²), s = 1 - x to 1.02e-8. Elsewhere the result is wrong.
+    /// By polynomials, each of which counts in the proof as the function that it is near, without roots,
+    /// divisions or library calls; for the inputs of [`motor_log_f32_holds`], elsewhere wrong:
+    /// - acos s / √(1 - s²), s = 1 - x: off by at most 1.58e-8;
+    /// - (1 - s acos s / √(1 - s²)) / (1 - s²), s = 1 - x: off by at most 1.02e-8;
+    /// - as exact as `f32`, whatever `T` is.
     #[inline]
     pub fn motor_log_f32<T: Real>(m: Motor<T>) -> Line<T> {
         let argument = T::ONE - m.s;
@@ -6802,8 +6818,8 @@ pub mod kernels {
             e03: m.e12 * t0 + m.e03 * angle_ratio,
         }
     }
-    /// Whether [`motor_log_f64`] holds for an input: whether its polynomials, such as that for
-    /// acos s / √(1 - s²), s = 1 - x, are near what they stand for. False for NaN.
+    /// Whether [`motor_log_f64`] holds for an input: true where
+    /// x = `1 - m.s` is in [-0.0009765625, 1]. False for NaN.
     #[inline]
     pub fn motor_log_f64_holds<T: Real>(m: Motor<T>) -> bool {
         (T::from_f64(-0.0009765625)..=T::from_f64(1.0)).contains(&(T::ONE - m.s))
@@ -6816,7 +6832,11 @@ pub mod kernels {
     ///
     /// Cost: 52 mul + 46 add. Proof: series to order 12.
     ///
-    /// By polynomials, without roots, divisions or library calls, where [`motor_log_f64_holds`]: acos s / √(1 - s²), s = 1 - x to 4.06e-17; (1 - s acos s / √(1 - s²)) / (1 - s²), s = 1 - x to 1.99e-17. Elsewhere the result is wrong.
+    /// By polynomials, each of which counts in the proof as the function that it is near, without roots,
+    /// divisions or library calls; for the inputs of [`motor_log_f64_holds`], elsewhere wrong:
+    /// - acos s / √(1 - s²), s = 1 - x: off by at most 4.06e-17;
+    /// - (1 - s acos s / √(1 - s²)) / (1 - s²), s = 1 - x: off by at most 1.99e-17;
+    /// - as exact as `f64`, whatever `T` is.
     #[inline]
     pub fn motor_log_f64<T: Real>(m: Motor<T>) -> Line<T> {
         let argument = T::ONE - m.s;
@@ -7049,26 +7069,25 @@ pub mod kernels {
     ///
     /// Assumes `m`: `s * s == 1 - e23 * e23 - e31 * e31 - e12 * e12`; `m`: `e23 * e01 == s * e0123 - e31 * e02 - e12 * e03`.
     ///
-    /// Cost: 14 mul + 5 add + 1 div + 1 sqrt. Proof: exact, roots included.
+    /// Cost: 14 mul + 6 add + 1 div + 1 sqrt. Proof: exact, roots included.
     #[inline]
     pub fn motor_sqrt<T: Real>(m: Motor<T>) -> Motor<T> {
-        let t0 = m.s + T::ONE;
-        let norm = (t0 + t0).sqrt();
+        let norm = (m.s + m.s + T::from_ratio(2, 1)).sqrt();
         let inverse = T::ONE / norm;
-        let t1 = t0 * inverse;
+        let t0 = (m.s + T::ONE) * inverse;
         let unit_e12 = m.e12 * inverse;
         let unit_e31 = m.e31 * inverse;
         let unit_e23 = m.e23 * inverse;
         let unit_e0123 = m.e0123 * inverse;
         Motor {
-            s: t1,
+            s: t0,
             e23: unit_e23,
             e31: unit_e31,
             e12: unit_e12,
             e01: (m.e01 + unit_e23 * unit_e0123) * inverse,
             e02: (m.e02 + unit_e31 * unit_e0123) * inverse,
             e03: (m.e03 + unit_e12 * unit_e0123) * inverse,
-            e0123: (m.e0123 - t1 * unit_e0123) * inverse,
+            e0123: (m.e0123 - t0 * unit_e0123) * inverse,
         }
     }
     /// The translation that carries a point to another.
@@ -7088,64 +7107,73 @@ pub mod kernels {
     }
     /// The turn about the common line, or the translation, that carries a plane to another; not for planes that face each other.
     ///
-    /// `normalize(1 + b * a)`
+    /// `normalize((a + b) * a)`
     ///
     /// Assumes `a`: `e1 * e1 == 1 - e2 * e2 - e3 * e3`; `b`: `e1 * e1 == 1 - e2 * e2 - e3 * e3`.
     ///
-    /// Cost: 26 mul + 12 add + 1 div + 1 sqrt. Proof: exact, roots included.
+    /// Cost: 27 mul + 15 add + 1 div + 1 sqrt. Proof: exact, roots included.
     #[inline]
     pub fn motor_between_planes<T: Real>(a: UnitPlane<T>, b: UnitPlane<T>) -> Motor<T> {
-        let t0 = T::ONE + a.e1 * b.e1 + a.e2 * b.e2 + a.e3 * b.e3;
-        let t1 = a.e2 * b.e1 - a.e1 * b.e2;
-        let t2 = a.e1 * b.e3 - a.e3 * b.e1;
-        let t3 = a.e3 * b.e2 - a.e2 * b.e3;
-        let norm = (t0 * t0 + t1 * t1 + t2 * t2 + t3 * t3).sqrt();
+        let t0 = a.e0 + b.e0;
+        let t1 = a.e1 + b.e1;
+        let t2 = a.e2 + b.e2;
+        let t3 = a.e3 + b.e3;
+        let t4 = (t1 * t1 + t2 * t2 + t3 * t3) * T::from_ratio(1, 2);
+        let t5 = a.e2 * t1 - a.e1 * t2;
+        let t6 = a.e1 * t3 - a.e3 * t1;
+        let t7 = a.e3 * t2 - a.e2 * t3;
+        let norm = T::norm([t4, t5, t6, t7]);
         let inverse = T::ONE / norm;
         Motor {
-            s: t0 * inverse,
-            e23: t3 * inverse,
-            e31: t2 * inverse,
-            e12: t1 * inverse,
-            e01: (a.e1 * b.e0 - a.e0 * b.e1) * inverse,
-            e02: (a.e2 * b.e0 - a.e0 * b.e2) * inverse,
-            e03: (a.e3 * b.e0 - a.e0 * b.e3) * inverse,
+            s: t4 * inverse,
+            e23: t7 * inverse,
+            e31: t6 * inverse,
+            e12: t5 * inverse,
+            e01: (a.e1 * t0 - a.e0 * t1) * inverse,
+            e02: (a.e2 * t0 - a.e0 * t2) * inverse,
+            e03: (a.e3 * t0 - a.e0 * t3) * inverse,
             e0123: T::ZERO,
         }
     }
     /// The screw about the common perpendicular that carries a line to another; not for lines that run in opposite directions.
     ///
-    /// `normalize(1 + b * ~a)`
+    /// `normalize((a + b) * ~a)`
     ///
     /// Assumes `a`: `e31 * e31 == 1 - e23 * e23 - e12 * e12`; `a`: `e23 * e01 == 0 - e31 * e02 - e12 * e03`; `b`: `e31 * e31 == 1 - e23 * e23 - e12 * e12`; `b`: `e23 * e01 == 0 - e31 * e02 - e12 * e03`.
     ///
-    /// Cost: 44 mul + 27 add + 1 div + 1 sqrt. Proof: exact, roots included.
+    /// Cost: 46 mul + 32 add + 1 div + 1 sqrt. Proof: exact, roots included.
     #[inline]
     pub fn motor_between_lines<T: Real>(a: UnitLine<T>, b: UnitLine<T>) -> Motor<T> {
-        let t0 = T::ONE + a.e23 * b.e23 + a.e31 * b.e31 + a.e12 * b.e12;
-        let t1 = a.e31 * b.e23 - a.e23 * b.e31;
-        let t2 = a.e23 * b.e12 - a.e12 * b.e23;
-        let t3 = a.e12 * b.e31 - a.e31 * b.e12;
-        let t4 = -(a.e23 * b.e01 + a.e31 * b.e02 + a.e12 * b.e03 + a.e01 * b.e23
-            + a.e02 * b.e31 + a.e03 * b.e12);
-        let norm = (t0 * t0 + t1 * t1 + t2 * t2 + t3 * t3).sqrt();
+        let t0 = a.e01 + b.e01;
+        let t1 = a.e02 + b.e02;
+        let t2 = a.e12 + b.e12;
+        let t3 = a.e03 + b.e03;
+        let t4 = -(a.e31 + b.e31);
+        let t5 = a.e23 + b.e23;
+        let t6 = (t2 * t2 + t4 * t4 + t5 * t5) * T::from_ratio(1, 2);
+        let t7 = a.e12 * t1 - a.e31 * t3 - a.e02 * t2 - a.e03 * t4;
+        let t8 = a.e23 * t3 - a.e12 * t0 + a.e01 * t2 - a.e03 * t5;
+        let t9 = a.e23 * t4 + a.e31 * t5;
+        let t10 = a.e31 * t0 - a.e23 * t1 + a.e01 * t4 + a.e02 * t5;
+        let t11 = a.e23 * t2 - a.e12 * t5;
+        let t12 = -(a.e31 * t2 + a.e12 * t4);
+        let t13 = t1 * t4 - t0 * t5 - t2 * t3;
+        let norm = T::norm([t6, t9, t11, t12]);
         let inverse = T::ONE / norm;
-        let t5 = t0 * inverse;
-        let t6 = t1 * inverse;
-        let t7 = t2 * inverse;
-        let t8 = t3 * inverse;
-        let t9 = t4 * inverse;
+        let t14 = t6 * inverse;
+        let t15 = t9 * inverse;
+        let t16 = t11 * inverse;
+        let t17 = t12 * inverse;
+        let t18 = (t6 * t13 - t7 * t12 - t8 * t11 - t9 * t10) * inverse;
         Motor {
-            s: t5,
-            e23: t8,
-            e31: t7,
-            e12: t6,
-            e01: (a.e12 * b.e02 - a.e31 * b.e03 - a.e02 * b.e12 + a.e03 * b.e31
-                + t8 * t9) * inverse,
-            e02: (a.e23 * b.e03 - a.e12 * b.e01 + a.e01 * b.e12 - a.e03 * b.e23
-                + t7 * t9) * inverse,
-            e03: (a.e31 * b.e01 - a.e23 * b.e02 - a.e01 * b.e31 + a.e02 * b.e23
-                + t6 * t9) * inverse,
-            e0123: (t4 - t5 * t9) * inverse,
+            s: t14,
+            e23: t17,
+            e31: t16,
+            e12: t15,
+            e01: (t7 + t17 * t18) * inverse,
+            e02: (t8 + t16 * t18) * inverse,
+            e03: (t10 + t15 * t18) * inverse,
+            e0123: (t13 - t14 * t18) * inverse,
         }
     }
     /// The generator of a motion up to a factor and to what it slides: its bivector part.

@@ -169,15 +169,21 @@ fn documentation(definition: &Definition, compiled: &Compiled) -> Vec<String> {
     if compiled.precision.is_some() {
         let used = compiled.program.polynomials().into_iter();
         let off = used.map(|(function, precision, _)| {
-            format!("{} to {:.2e}", function.formula(), approximation(function, precision).error)
+            format!("- {}: off by at most {:.2e};", function.formula(), approximation(function, precision).error)
         });
         lines.push(String::new());
+        lines.push(
+            "By polynomials, each of which counts in the proof as the function that it is near, without roots,"
+                .to_owned(),
+        );
         lines.push(format!(
-            "By polynomials, without roots, divisions or library calls, where [`{0}_holds`]: {1}. \
-             Elsewhere the result is wrong.",
-            compiled.name,
-            off.collect::<Vec<_>>().join("; ")
+            "divisions or library calls; for the inputs of [`{}_holds`], elsewhere wrong:",
+            compiled.name
         ));
+        lines.extend(off);
+        if let Some(precision) = compiled.precision {
+            lines.push(format!("- as exact as `{}`, whatever `T` is.", precision.name()));
+        }
     }
     if let Some(bound) = compiled.promised_bound(definition) {
         let text = bound.display(&compiled.parameter_names(definition));

@@ -6,6 +6,7 @@ use crate::approximation::{Function, Precision, approximation};
 use crate::compile::Compiled;
 use crate::kernel::Definition;
 use crate::program::{Program, ProgramBuilder};
+use crate::proof::evaluate_polynomials;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::{BTreeMap, BTreeSet};
@@ -58,7 +59,9 @@ pub(super) fn range(
     parameters: &[TokenStream],
 ) -> syn::Result<TokenStream> {
     let polynomials = compiled.program.polynomials();
-    let Some(&(function, ..)) = polynomials.first() else { return Ok(TokenStream::new()) };
+    if polynomials.is_empty() {
+        return Ok(TokenStream::new());
+    }
     let intervals: BTreeMap<_, _> =
         polynomials.iter().map(|&(function, _, argument)| (argument, function.interval())).collect();
     let kernel = &definition.kernels[compiled.kernel];
@@ -72,9 +75,13 @@ pub(super) fn range(
         quote!((T::from_f64(#low)..=T::from_f64(#high)).contains(&(#argument)))
     });
     let (name, statements) = (format_ident!("{}_holds", compiled.name), body.statements);
+    let ranges = intervals.iter().map(|(&argument, &(low, high))| {
+        let variable = polynomials.iter().find(|polynomial| polynomial.2 == argument).map_or("", |p| p.0.variable());
+        format!("{variable} = `{}` is in [{low}, {high}]", meaning_of(compiled, argument))
+    });
     let docs = doc(&[
-        format!("Whether [`{}`] holds for an input: whether its polynomials, such as that for", compiled.name),
-        format!("{}, are near what they stand for. False for NaN.", function.formula()),
+        format!("Whether [`{}`] holds for an input: true where", compiled.name),
+        format!("{}. False for NaN.", ranges.collect::<Vec<_>>().join(" and ")),
     ]);
     let test = quote!(#(#tests)&&*);
     Ok(quote! {
@@ -85,6 +92,14 @@ pub(super) fn range(
             #test
         }
     })
+}
+
+/// A value as a polynomial in the inputs.
+fn meaning_of(compiled: &Compiled, value: usize) -> String {
+    let program = restricted(&compiled.program, &[value]);
+    let values = evaluate_polynomials(&program, compiled.specification.coefficients.len()).unwrap_or_default();
+    let polynomial = program.outputs.first().and_then(|&output| values.get(output));
+    polynomial.map_or_else(String::new, |polynomial| polynomial.display(&compiled.specification.names()))
 }
 
 /// The part of a program that some of its values need.

@@ -39,7 +39,7 @@ pub(super) fn module(definition: &Definition) -> TokenStream {
                 fn sqrt(self) -> Self;
                 /// Sine and cosine of an angle in radians.
                 fn sin_cos(self) -> (Self, Self);
-                /// The angle of the point (x, self) in radians, in (-pi, pi].
+                /// The angle of the point (x, self) in radians, in [-pi, pi].
                 fn atan2(self, x: Self) -> Self;
                 /// The absolute value.
                 fn abs(self) -> Self;

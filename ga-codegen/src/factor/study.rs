@@ -12,9 +12,10 @@
 //! (Dorst and De Keninck, "A Guided Tour to the Plane-Based Geometric Algebra PGA", 2022, give the same for 3D.)
 //!
 //! As written, A leaves the range of floating point long before l does, and g and h cancel. So coefficients that make up A
-//! occur as n = b / l, at most 1, and P as P / l, which a unit's relations bound by the rest of V. What stands before
-//! them is then sin l for S b, C - S for g b b, theta for k b and 1 - s k for h P b: nothing grows, and the error of
-//! C - S and of 1 - s k is that of numbers near 1.
+//! occur as n = b / l, at most 1, and P as P / l. What stands before them is then sin l for S b, C - S for g b b, theta for k b
+//! and 1 - s k for h P b: nothing grows, and the error of C - S and of 1 - s k is that of numbers near 1. P itself may have
+//! rounding errors as large as those of the rest of V, and l be far smaller; but of a unit s P = N / 2, so that
+//! P / l = s N / (2 l) + l P, which is bounded by the rest of V.
 //!
 //! A multivector y whose norm y ~y = A + N is such a number is (1 - N / (2 A)) / sqrt(A) times a unit, y normalised.
 
@@ -23,9 +24,9 @@ use super::extract::greedy;
 use super::system::System;
 use crate::algebra::{Blade, Product, Sign};
 use crate::approximation::{Function, Precision};
-use crate::kernel::{Analytic, Specification};
+use crate::kernel::{Analytic, Expression, ExpressionKind, Operator, Specification, StudyNorm};
 use crate::program::{Operands, Operation, Program, ProgramBuilder, Value};
-use crate::symbolic::{Multivector, Polynomial, Rational, Symbol};
+use crate::symbolic::{Monomial, Multivector, Polynomial, Rational, Symbol};
 
 fn no_closed_form<T>(text: &str) -> Result<T, FactorError> {
     Err(FactorError::NoClosedForm(text.to_owned()))
@@ -215,18 +216,6 @@ fn times(value: &Multivector, factor: &Polynomial) -> Result<Multivector, Factor
     Ok(value.map(|coefficient| coefficient.mul(factor))?)
 }
 
-/// The coefficients of a multivector over the norm, and 0 where that is 0.
-fn over(value: &Multivector, norm: Value, values: &mut Values) -> Result<Multivector, FactorError> {
-    let (value, coefficients) = values.symbols_for(value)?;
-    let mut terms = Vec::new();
-    for ((blade, symbol), (_, dividend)) in value.terms().zip(coefficients) {
-        let quotient = values.push(Operation::Quotient(dividend, norm, Rational::ZERO));
-        let sign = symbol.terms().next().map_or(Rational::ONE, |(_, sign)| sign);
-        terms.push((blade, values.symbol(quotient).scale(sign)?));
-    }
-    Ok(Multivector::from_terms(terms))
-}
-
 /// exp B = C + S N/2 + (S - g N/2) B.
 pub(super) fn exp(specification: &Specification) -> Result<Program, FactorError> {
     let mut values = Values::new(specification);
@@ -324,8 +313,10 @@ pub(super) fn log(specification: &Specification) -> Result<Program, FactorError>
     let square = values.push(Operation::Mul(norm, norm));
     let slope_value = values.push(Operation::Quotient(rest_value, square, Rational::new(1, 3)?));
     let (rest, slope) = (values.symbol(rest_value), values.symbol(slope_value));
-    // h P V: h for what has no b; (1 - s k) (P / l) (b / l) for what has it.
-    let p_over_norm = over(&p, norm, &mut values)?;
+    // h P V: h for what has no b; (1 - s k) (P / l) (b / l) for what has it. Of a unit s P = N / 2, so P = s N / 2 + A P.
+    let (s, l) = (values.symbol(s), values.symbol(norm));
+    let half = split.polar(&half_nilpotent(v, specification)?, &directions, &[&Polynomial::zero(), &s])?;
+    let (p_over_norm, _) = values.symbols_for(&half.add(&times(&p, &l)?)?)?;
     let without = split.polar(v, &directions, &[&Polynomial::one(), &Polynomial::zero()])?;
     let with = split.polar(&v.sub(&without)?, &directions, &[&Polynomial::zero(), &rest])?;
     let value = split
@@ -337,25 +328,34 @@ pub(super) fn log(specification: &Specification) -> Result<Program, FactorError>
 
 /// y (1 - N / (2 A)) / sqrt(A), each coefficient as i (y - (i N / 2) (i y)) with i = 1 / sqrt(A).
 pub(super) fn normalize(specification: &Specification) -> Result<Program, FactorError> {
-    let norm = specification.study_norm("").map_err(|error| FactorError::NoClosedForm(error.to_string()))?;
     let mut values = Values::new(specification);
-    let y = signed_terms(&specification.unnormalized()?, specification);
-    let half = signed_terms(&norm.nilpotent.scale(Rational::new(1, 2)?)?, specification);
-    let polynomials: Vec<_> = y.iter().chain(&half).map(|(_, _, c)| c.clone()).chain([norm.scalar.clone()]).collect();
-    let evaluated = values.evaluate(&polynomials)?;
-    let (y_values, half_values) = evaluated.split_at(y.len());
-    let plain = values.symbols(&y, y_values);
-    // The root of a unit relies on the promise that it is one. What is normalised is measured as it is, with its rounding
-    // errors, so that the result is a unit however much cancelled in it.
-    let square = match specification.analytic {
-        Some(Analytic::Sqrt) => evaluated[evaluated.len() - 1],
-        _ => values.evaluate(&[mul(&plain, &plain.reverse(), specification)?.coefficient(Blade::SCALAR)])?[0],
+    let inputs = values.given.len();
+    let (y, norm) = stages(specification, &mut values)?;
+    // What is computed first may be small beside what it is computed from, and its square out of range.
+    let is_staged = values.given.len() > inputs;
+    let y = signed_terms(&y, specification);
+    let y_values = values.evaluate(&y.iter().map(|(_, _, c)| c.clone()).collect::<Vec<_>>())?;
+    let plain = values.symbols(&y, &y_values);
+    let norm = match norm {
+        Some(norm) => norm,
+        None => {
+            let StudyNorm { scalar, nilpotent } = norm_of(&plain, specification)?;
+            let known = known_norm(specification)?.nilpotent;
+            let terms = nilpotent.terms().filter(|(blade, _)| !known.coefficient(*blade).is_zero());
+            StudyNorm { scalar, nilpotent: Multivector::from_terms(terms.map(|(blade, c)| (blade, c.clone()))) }
+        }
     };
-    let root = values.push(Operation::Sqrt(square));
+    let half = signed_terms(&norm.nilpotent.scale(Rational::new(1, 2)?)?, specification);
+    let polynomials: Vec<_> = half.iter().map(|(_, _, c)| c.clone()).chain([norm.scalar.clone()]).collect();
+    let evaluated = values.evaluate(&polynomials)?;
+    let root = match squares(&norm.scalar, &values).filter(|_| is_staged) {
+        Some(operands) => values.push(Operation::Norm(operands)),
+        None => values.push(Operation::Sqrt(evaluated[half.len()])),
+    };
     let one = values.push(Operation::Constant(Rational::ONE));
     let inverse = values.push(Operation::Div(one, root));
-    let scaled = values.scaled_symbols(&y, y_values, inverse);
-    let half = values.scaled_symbols(&half, half_values, inverse);
+    let scaled = values.scaled_symbols(&y, &y_values, inverse);
+    let half = values.scaled_symbols(&half, &evaluated, inverse);
     let correction = mul(&half, &scaled, specification)?;
     let mut outputs = Vec::new();
     for (_, component) in specification.output.fields() {
@@ -368,6 +368,70 @@ pub(super) fn normalize(specification: &Specification) -> Result<Program, Factor
         });
     }
     Ok(values.builder.finish(&outputs))
+}
+
+/// What is normalised, and its norm where that is not to be the one of its coefficients.
+///
+/// The root of a unit m relies on the promise that it is one: the norm of 1 + m is 2 + m + ~m. Of a product x u with a unit u the
+/// coefficients of x are computed first: so where those cancel, as in a + b for nearly opposite units a and b, they do so
+/// exactly, and the result is as accurate as they are. The norm is then that of what has been computed.
+fn stages(specification: &Specification, values: &mut Values) -> Result<(Multivector, Option<StudyNorm>), FactorError> {
+    if specification.analytic == Some(Analytic::Sqrt) {
+        return Ok((specification.unnormalized()?, Some(known_norm(specification)?)));
+    }
+    if let ExpressionKind::Binary(Operator::Geometric, x, unit) = &specification.expression.kind {
+        let value = |expression: &Expression| expression.evaluate(&specification.inputs, &specification.basis);
+        let (x, unit) = (value(x)?, value(unit)?);
+        let reduced = |coefficient: &Polynomial| specification.relations.normal_form(coefficient);
+        if mul(&unit, &unit.reverse(), specification)?.map(reduced)? == Multivector::scalar(Polynomial::one()) {
+            let (x, _) = values.symbols_for(&x)?;
+            let norm = norm_of(&x, specification)?;
+            return Ok((with_half_norm(&mul(&x, &unit, specification)?, &norm, specification)?, None));
+        }
+    }
+    Ok((specification.unnormalized()?, None))
+}
+
+/// What is normalised with half of its norm in place of coefficients that are that, modulo the relations. In (a + b) ~a
+/// for units a and b, the scalar part is |a + b|^2 / 2; so written it does not depend on how near to units a and b are.
+fn with_half_norm(
+    y: &Multivector,
+    norm: &StudyNorm,
+    specification: &Specification,
+) -> Result<Multivector, FactorError> {
+    let half = Rational::new(1, 2)?;
+    let known = known_norm(specification)?;
+    let whole = |norm: &StudyNorm| Multivector::scalar(norm.scalar.clone()).add(&norm.nilpotent)?.scale(half);
+    let (known, written) = (whole(&known)?, whole(norm)?);
+    let value = specification.unnormalized()?;
+    let mut terms = Vec::new();
+    for (blade, coefficient) in y.terms() {
+        let reduced = specification.relations.normal_form(&value.coefficient(blade))?;
+        let is_half = !reduced.is_zero() && reduced == known.coefficient(blade);
+        terms.push((blade, if is_half { written.coefficient(blade) } else { coefficient.clone() }));
+    }
+    Ok(Multivector::from_terms(terms))
+}
+
+/// The values whose squares a polynomial is the sum of, if it is one.
+fn squares(sum: &Polynomial, values: &Values) -> Option<Operands> {
+    let square = |(monomial, coefficient): (&Monomial, Rational)| match *monomial.symbols() {
+        [x, y] if x == y && coefficient == Rational::ONE => Some(values.given[usize::from(x)]),
+        _ => None,
+    };
+    Operands::new(&sum.terms().map(square).collect::<Option<Vec<_>>>()?)
+}
+
+/// The norm of what is normalised, modulo the relations.
+fn known_norm(specification: &Specification) -> Result<StudyNorm, FactorError> {
+    specification.study_norm("").map_err(|error| FactorError::NoClosedForm(error.to_string()))
+}
+
+/// y ~y, not reduced.
+fn norm_of(y: &Multivector, specification: &Specification) -> Result<StudyNorm, FactorError> {
+    let norm = mul(y, &y.reverse(), specification)?;
+    let scalar = norm.coefficient(Blade::SCALAR);
+    Ok(StudyNorm { nilpotent: norm.sub(&Multivector::scalar(scalar.clone()))?, scalar })
 }
 
 /// The coefficients of a multivector with the signs that they have in the output.

@@ -2,7 +2,9 @@
 
 use super::{Component, ComponentValue, Definition, Entity, Expression, Kernel, Projection};
 use crate::algebra::{Basis, Blade, Product, Signature};
-use crate::symbolic::{Monomial, Multivector, Overflow, Polynomial, Relation, Relations, RelationsError, Symbol};
+use crate::symbolic::{
+    Monomial, Multivector, Overflow, Polynomial, Rational, Relation, Relations, RelationsError, Symbol,
+};
 use std::fmt;
 
 /// A function of a multivector that is not a polynomial.
@@ -100,6 +102,10 @@ pub enum SpecificationError {
     NotAUnit(String, String),
     /// The norm y ~y of what is to be normalised is no Study number.
     NotAStudyNumber(String),
+    /// The norm y ~y of what is to be normalised can be negative: y, and a blade whose norm is.
+    IndefiniteNorm(String, String),
+    /// The argument of `exp` has a coefficient that is no multiple of one input coefficient: blade and polynomial.
+    CompoundCoefficient(String, String),
     /// The output type has a relation that the expression does not satisfy: its text and the normal form of the excess.
     BrokenPromise(String, String),
 }
@@ -130,6 +136,19 @@ impl fmt::Display for SpecificationError {
             }
             Self::NotAUnit(m, norm) => {
                 write!(f, "expected a unit, x ~x = 1 for x = {m}, found x ~x = {norm}")
+            }
+            Self::IndefiniteNorm(y, blade) => {
+                write!(
+                    f,
+                    "expected a norm x ~x that is nowhere negative, for x = {y}, found that `{blade}` has a negative one"
+                )
+            }
+            Self::CompoundCoefficient(blade, value) => {
+                write!(
+                    f,
+                    "expected multiples of single input coefficients in the argument of `exp`, found {value} as the coefficient \
+                     of `{blade}`"
+                )
             }
             Self::NotAStudyNumber(y) => {
                 write!(
@@ -261,6 +280,14 @@ impl Specification {
             let product = a.product(Product::Geometric, b, &self.basis)?;
             product.map(|coefficient| self.relations.normal_form(coefficient))
         };
+        for (blade, _) in y.terms() {
+            let unit = Multivector::term(blade, Polynomial::one());
+            let square = product(&unit, &unit.reverse())?.coefficient(Blade::SCALAR).as_constant();
+            if square.is_none_or(Rational::is_negative) {
+                let blade = self.basis.named(blade).name.clone();
+                return Err(SpecificationError::IndefiniteNorm(text.to_owned(), blade));
+            }
+        }
         let norm = product(&y, &y.reverse())?;
         let scalar = norm.coefficient(Blade::SCALAR);
         let nilpotent = norm.sub(&Multivector::scalar(scalar.clone()))?;
@@ -291,13 +318,38 @@ impl Specification {
 
     fn check_bivector(&self) -> Result<(), SpecificationError> {
         match self.value.terms().find(|(blade, _)| blade.grade() != 2) {
-            None => Ok(()),
+            None => self.check_single_coefficients(),
             Some((blade, value)) => {
-                let named = self.basis.named(blade);
-                let value = value.clone().signed(named.sign).display(&self.names());
-                Err(SpecificationError::NotABivector(named.name.clone(), value))
+                let (name, value) = self.named(blade, value);
+                Err(SpecificationError::NotABivector(name, value))
             }
         }
+    }
+
+    /// What the proof of exp asks for: every coefficient whose blade squares to something else than 0 is a multiple of one of
+    /// the inputs', each of another.
+    fn check_single_coefficients(&self) -> Result<(), SpecificationError> {
+        let mut seen = Vec::new();
+        for (blade, value) in self.value.terms() {
+            let unit = Multivector::term(blade, Polynomial::one());
+            let is_null = unit.product(Product::Geometric, &unit, &self.basis)?.is_zero();
+            let single = value.terms().next().filter(|(monomial, _)| value.term_count() == 1 && monomial.degree() == 1);
+            match single {
+                _ if is_null => {}
+                Some((monomial, _)) if !seen.contains(monomial) => seen.push(monomial.clone()),
+                _ => {
+                    let (name, value) = self.named(blade, value);
+                    return Err(SpecificationError::CompoundCoefficient(name, value));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A blade's name and a coefficient of it in words.
+    fn named(&self, blade: Blade, value: &Polynomial) -> (String, String) {
+        let named = self.basis.named(blade);
+        (named.name.clone(), value.clone().signed(named.sign).display(&self.names()))
     }
 
     /// The degree of a monomial in the unit of length.

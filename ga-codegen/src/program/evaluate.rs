@@ -32,7 +32,7 @@ pub trait Domain {
     fn atan2(&self, y: &Self::Number, x: &Self::Number) -> Result<Self::Number, Self::Error>;
     /// numerator / denominator, and `limit` where the denominator is 0.
     fn quotient(&self, n: &Self::Number, d: &Self::Number, limit: Rational) -> Result<Self::Number, Self::Error>;
-    /// A function, not the polynomial near it.
+    /// A function that the program evaluates by a polynomial: the function itself, or the polynomial for f64.
     fn function(&self, function: Function, a: &Self::Number) -> Result<Self::Number, Self::Error>;
     /// The square root of the sum of squares.
     fn norm(&self, components: &[&Self::Number]) -> Result<Self::Number, Self::Error> {

@@ -49,7 +49,7 @@ pub enum Operation {
     Sin(Value),
     /// The cosine.
     Cos(Value),
-    /// The angle of the point (second, first), in (-pi, pi].
+    /// The angle of the point (second, first), in [-pi, pi].
     Atan2(Value, Value),
     /// A quotient with a removable singularity: numerator / denominator, and the number where the denominator is 0.
     Quotient(Value, Value, Rational),

@@ -12,7 +12,9 @@
 //! [`approximation`](crate::approximation).
 //!
 //! Where l is 0 the coefficients that make it up are 0 and the others arbitrary. There the sum ends and the program is
-//! evaluated exactly, every quotient with its stated limit; see [`Locus`].
+//! evaluated exactly, every quotient with its stated limit; see [`Locus`]. A program divides by norms alone. In exp these are 0
+//! only where l is; in log, where they are those of the bivector part, also at -1 and at the negative of what is ideal alone,
+//! which are as far from the identity as can be: there nothing is proved of log.
 
 use super::locus::Locus;
 use super::{Proof, Refutation, undefined};
@@ -34,6 +36,7 @@ const MAX_ORDER: usize = 20;
 const LOST_ORDERS: usize = 4;
 
 pub(super) fn prove(specification: &Specification, program: &Program) -> Result<Proof, Refutation> {
+    check_denominators(program)?;
     let unknowns = Unknowns::new(specification)?;
     let exponential = Exponential::new(specification, &unknowns, order(program)?)?;
     let (inputs, expected) = exponential.unknowns.case(specification, &exponential.sum)?;
@@ -47,6 +50,22 @@ pub(super) fn prove(specification: &Specification, program: &Program) -> Result<
     exponential.keep_promises(&specification.output, &computed)?;
     prove_at_zero(specification, program, &unknowns, &exponential)?;
     Ok(Proof::Series(exponential.order))
+}
+
+/// Checks that a program divides by nothing but norms and products of them, so that a denominator is 0 only where a norm is.
+fn check_denominators(program: &Program) -> Result<(), Refutation> {
+    let mut is_norm = Vec::with_capacity(program.operations.len());
+    for operation in &program.operations {
+        is_norm.push(match *operation {
+            Operation::Norm(_) => true,
+            Operation::Mul(a, b) => is_norm[a] && is_norm[b],
+            Operation::Div(_, b) | Operation::Quotient(_, b, _) if !is_norm[b] => {
+                return undefined("expected a division by a norm or a product of norms, found another");
+            }
+            _ => false,
+        });
+    }
+    Ok(())
 }
 
 /// The proof where the norm of the bivector is 0: on polynomials, exactly.

@@ -1,39 +1,37 @@
-//! The proof of `normalize` and `sqrt`: polynomials, fractions and square roots.
+//! The proof of `normalize` and `sqrt`: polynomials over powers of one square root.
 //!
-//! The program is evaluated on fractions of polynomials in the inputs and in a symbol r for every root that it takes,
-//! modulo the inputs' relations and r^2 = P, where P, a polynomial, is what the root is taken of. Roots of equal P, modulo
-//! the relations, are the same symbol. Fractions are equal where their cross products are; that is an identity of numbers
-//! wherever no denominator is 0, and none is 0 modulo the relations. A symbol r stands for the root that is not negative, as
-//! the square root of numbers is.
+//! Let y be what is normalised and y ~y = A + N its norm, A a sum of squares of real numbers and N of square 0 and
+//! commuting with y. The program is evaluated on polynomials in the inputs and in a symbol r, modulo the inputs' relations
+//! and r^2 = A, over powers of r. It may take no other root than that of A, up to a rational square, and divide by nothing
+//! but rational multiples of powers of r. So wherever A is not 0 every value is a real number, and equal polynomials are
+//! equal numbers; r stands for the root that is not negative, as the square root of numbers is.
 //!
-//! Let y be what is normalised and y ~y = A + N its norm, A a number and N of square 0 and commuting with y. The norm's
-//! root with a positive scalar part is w = sqrt(A) + N / (2 sqrt(A)). The output x must satisfy
+//! The norm's root with a positive scalar part is w = r + N / (2 r). The output x must satisfy
 //! ```text
-//! x w = y,  that is,  x (2 A + N) = 2 sqrt(A) y,
+//! x w = y,  that is,  x (2 A + N) = 2 r y,
 //! ```
-//! with the same symbol for sqrt(A) as in the program, which settles the sign; w has an inverse where A is not 0, so there is
-//! one such x. The square root of m is 1 + m normalised, and x^2 = m is proved of it besides. What the output type
-//! promises is proved of x too.
+//! with the program's own r, which settles the sign; w has an inverse where A is not 0, so there is one such x. The square root
+//! of m is 1 + m normalised, and x^2 = m is proved of it besides. What the output type promises is proved of x too.
+//! Where A is 0 nothing is proved: there is no such x.
 
 use super::{Proof, Refutation, undefined};
 use crate::algebra::{Blade, Product};
 use crate::approximation::Function;
-use crate::kernel::{Analytic, ComponentValue, Specification, StudyNorm};
+use crate::kernel::{Analytic, Component, ComponentValue, Specification, StudyNorm};
 use crate::program::{Domain, Program};
 use crate::symbolic::{Monomial, Multivector, Overflow, Polynomial, Rational, Relations, Symbol};
-use std::cell::RefCell;
 
 pub(super) fn prove(specification: &Specification, program: &Program) -> Result<Proof, Refutation> {
-    let field = Fractions::new(specification);
+    let study = specification.study_norm("").map_err(|error| Refutation::Undefined(error.to_string()))?;
+    let field = Quotients::new(specification, &study.scalar)?;
     let inputs: Vec<_> =
-        (0..specification.coefficients.len()).map(|s| Fraction::whole(Polynomial::symbol(s as Symbol))).collect();
+        (0..specification.coefficients.len()).map(|s| Quotient::whole(Polynomial::symbol(s as Symbol))).collect();
     let computed = program.evaluate(&field, &inputs)?;
     let y = specification.unnormalized()?;
-    let study = specification.study_norm("").map_err(|error| Refutation::Undefined(error.to_string()))?;
-    let root = field.sqrt(&Fraction::whole(study.scalar.clone()))?.numerator;
-    let (x, denominator) = common_denominator(specification, &computed)?;
-    let proof = Roots { specification, field: &field, x, denominator };
-    proof.is_normalized(&y, &study, &root)?;
+    let power = computed.iter().map(|quotient| quotient.power).max().unwrap_or(0);
+    let x = output(specification, &field, &computed, power)?;
+    let proof = Roots { specification, field: &field, x, denominator: field.root_power(power)? };
+    proof.is_normalized(&y, &study)?;
     if specification.analytic == Some(Analytic::Sqrt) {
         proof.squares_to(&specification.value)?;
     }
@@ -41,53 +39,43 @@ pub(super) fn prove(specification: &Specification, program: &Program) -> Result<
     Ok(Proof::Roots)
 }
 
-/// The output as a multivector over one denominator.
-fn common_denominator(
+/// The output as a multivector, times this power of the root.
+fn output(
     specification: &Specification,
-    computed: &[Fraction],
-) -> Result<(Multivector, Polynomial), Overflow> {
-    let mut distinct: Vec<&Polynomial> = Vec::new();
-    for fraction in computed {
-        if !distinct.contains(&&fraction.denominator) {
-            distinct.push(&fraction.denominator);
-        }
-    }
-    let product_without = |left_out: Option<&Polynomial>| {
-        let factors = distinct.iter().filter(|factor| Some(**factor) != left_out);
-        factors.copied().try_fold(Polynomial::one(), |product, factor| product.mul(factor))
-    };
-    let denominator = product_without(None)?;
-    let mut terms = Vec::new();
-    let mut computed = computed.iter();
-    for component in &specification.output.components {
-        let value = match (&component.value, computed.as_slice()) {
-            (ComponentValue::Constant(constant), _) => denominator.scale(*constant)?,
-            (ComponentValue::Field(_), [fraction, rest @ ..]) => {
-                computed = rest.iter();
-                fraction.numerator.mul(&product_without(Some(&fraction.denominator))?)?
-            }
-            (ComponentValue::Field(_), []) => unreachable!("invariant: as many outputs as fields"),
+    field: &Quotients,
+    computed: &[Quotient],
+    power: usize,
+) -> Result<Multivector, Refutation> {
+    let mut fields = computed.iter();
+    let coefficient = |component: &Component| {
+        let value = match &component.value {
+            ComponentValue::Constant(constant) => field.root_power(power)?.scale(*constant)?,
+            ComponentValue::Field(_) => match fields.next() {
+                Some(quotient) => quotient.numerator.mul(&field.root_power(power - quotient.power)?)?,
+                None => Polynomial::zero(),
+            },
         };
-        terms.push((component.blade, value.signed(component.sign)));
-    }
-    Ok((Multivector::from_terms(terms), denominator))
+        Ok::<_, Refutation>((component.blade, value.signed(component.sign)))
+    };
+    let terms: Vec<_> = specification.output.components.iter().map(coefficient).collect::<Result<_, _>>()?;
+    Ok(Multivector::from_terms(terms))
 }
 
 /// The output x / denominator, of which is proved that it is a root or a unit.
 struct Roots<'a> {
     specification: &'a Specification,
-    field: &'a Fractions,
+    field: &'a Quotients,
     x: Multivector,
     denominator: Polynomial,
 }
 
 impl Roots<'_> {
-    /// x (2 A + N) = 2 sqrt(A) y
-    fn is_normalized(&self, y: &Multivector, study: &StudyNorm, root: &Polynomial) -> Result<(), Refutation> {
+    /// x (2 A + N) = 2 r y
+    fn is_normalized(&self, y: &Multivector, study: &StudyNorm) -> Result<(), Refutation> {
         let two = Rational::integer(2);
         let twice_norm = Multivector::scalar(study.scalar.scale(two)?).add(&study.nilpotent)?;
         let left = self.x.product(Product::Geometric, &twice_norm, &self.specification.basis)?;
-        let factor = root.mul(&self.denominator)?.scale(two)?;
+        let factor = self.field.root.mul(&self.denominator)?.scale(two)?;
         self.is_zero(&left.sub(&y.map(|coefficient| coefficient.mul(&factor))?)?)
     }
 
@@ -103,7 +91,7 @@ impl Roots<'_> {
             let excess = self.field.normal_form(coefficient)?;
             if !excess.is_zero() {
                 let name = if blade == Blade::SCALAR { "1" } else { &self.specification.basis.named(blade).name };
-                return Err(Refutation::Different(name.to_owned(), excess.display(&self.field.names())));
+                return Err(Refutation::Different(name.to_owned(), excess.display(&self.field.names)));
             }
         }
         Ok(())
@@ -111,7 +99,7 @@ impl Roots<'_> {
 }
 
 /// Proves the relations of the output type.
-fn keep_promises(specification: &Specification, field: &Fractions, computed: &[Fraction]) -> Result<(), Refutation> {
+fn keep_promises(specification: &Specification, field: &Quotients, computed: &[Quotient]) -> Result<(), Refutation> {
     for statement in &specification.output.statements {
         let mut sum = field.constant(Rational::ZERO)?;
         for (monomial, coefficient) in statement.relation.polynomial().terms() {
@@ -122,119 +110,127 @@ fn keep_promises(specification: &Specification, field: &Fractions, computed: &[F
             sum = field.add(&sum, &product)?;
         }
         if !sum.numerator.is_zero() {
-            let excess = sum.numerator.display(&field.names());
+            let excess = sum.numerator.display(&field.names);
             return Err(Refutation::BrokenPromise(statement.text.clone(), excess));
         }
     }
     Ok(())
 }
 
-/// A fraction; both parts in normal form, the denominator not 0.
+/// numerator / r^power, the numerator in normal form.
 #[derive(Clone, Debug)]
-struct Fraction {
+struct Quotient {
     numerator: Polynomial,
-    denominator: Polynomial,
+    power: usize,
 }
 
-impl Fraction {
+impl Quotient {
     fn whole(numerator: Polynomial) -> Self {
-        Self { numerator, denominator: Polynomial::one() }
+        Self { numerator, power: 0 }
     }
 }
 
-/// Arithmetic on fractions of polynomials in inputs and roots.
-struct Fractions {
+/// Arithmetic on polynomials over powers of the root r of A.
+struct Quotients {
     names: Vec<String>,
-    roots: RefCell<Adjoined>,
-}
-
-/// The roots so far, and the relations with theirs.
-struct Adjoined {
     relations: Relations,
-    radicands: Vec<Polynomial>,
+    square: Polynomial,
+    /// r, or the number that it is.
+    root: Polynomial,
 }
 
-impl Fractions {
-    fn new(specification: &Specification) -> Self {
-        let roots = Adjoined { relations: specification.relations.clone(), radicands: Vec::new() };
-        Self { names: specification.names(), roots: RefCell::new(roots) }
+impl Quotients {
+    fn new(specification: &Specification, square: &Polynomial) -> Result<Self, Refutation> {
+        let mut names = specification.names();
+        let symbol = names.len() as Symbol;
+        names.push("r".to_owned());
+        let relations = specification.relations.with_square(symbol, square.clone());
+        let number = square.as_constant().and_then(Rational::exact_root);
+        let root =
+            number.map_or_else(|| Polynomial::term(Monomial::new(vec![symbol]), Rational::ONE), Polynomial::constant);
+        Ok(Self { names, relations, square: square.clone(), root })
     }
 
     fn normal_form(&self, polynomial: &Polynomial) -> Result<Polynomial, Overflow> {
-        self.roots.borrow().relations.normal_form(polynomial)
+        self.relations.normal_form(polynomial)
     }
 
-    fn names(&self) -> Vec<String> {
-        let roots = (1..=self.roots.borrow().radicands.len()).map(|n| format!("root{n}"));
-        self.names.iter().cloned().chain(roots).collect()
-    }
-
-    fn fraction(&self, numerator: &Polynomial, denominator: &Polynomial) -> Result<Fraction, Refutation> {
-        let (numerator, denominator) = (self.normal_form(numerator)?, self.normal_form(denominator)?);
-        if denominator.is_zero() {
-            return undefined("expected a denominator other than 0, found one that is 0 for every input");
+    /// r^power
+    fn root_power(&self, power: usize) -> Result<Polynomial, Overflow> {
+        let mut product = Polynomial::one();
+        for _ in 0..power {
+            product = self.normal_form(&product.mul(&self.root)?)?;
         }
-        Ok(Fraction { numerator, denominator })
+        Ok(product)
+    }
+
+    fn over(&self, numerator: &Polynomial, power: usize) -> Result<Quotient, Refutation> {
+        Ok(Quotient { numerator: self.normal_form(numerator)?, power })
+    }
+
+    /// The rational number that a polynomial is a multiple of another by, if it is one.
+    fn ratio(&self, a: &Polynomial, b: &Polynomial) -> Result<Option<Rational>, Overflow> {
+        let (Some((first, coefficient)), false) = (b.terms().next(), a.is_zero()) else { return Ok(None) };
+        let Some(ratio) = a.coefficient(first).checked_div(coefficient)? else { return Ok(None) };
+        Ok((b.scale(ratio)? == *a).then_some(ratio))
     }
 }
 
-impl Domain for Fractions {
-    type Number = Fraction;
+/// The greatest power of the root by which a program may divide at once.
+const MAX_POWER: usize = 4;
+
+impl Domain for Quotients {
+    type Number = Quotient;
     type Error = Refutation;
 
-    fn constant(&self, value: Rational) -> Result<Fraction, Refutation> {
-        Ok(Fraction::whole(Polynomial::constant(value)))
+    fn constant(&self, value: Rational) -> Result<Quotient, Refutation> {
+        Ok(Quotient::whole(Polynomial::constant(value)))
     }
-    fn add(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, Refutation> {
-        if a.denominator == b.denominator {
-            return self.fraction(&a.numerator.add(&b.numerator)?, &a.denominator);
+    fn add(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Refutation> {
+        let power = a.power.max(b.power);
+        let raised = |quotient: &Quotient| quotient.numerator.mul(&self.root_power(power - quotient.power)?);
+        self.over(&raised(a)?.add(&raised(b)?)?, power)
+    }
+    fn neg(&self, a: &Quotient) -> Result<Quotient, Refutation> {
+        Ok(Quotient { numerator: a.numerator.neg(), power: a.power })
+    }
+    fn mul(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Refutation> {
+        self.over(&a.numerator.mul(&b.numerator)?, a.power + b.power)
+    }
+    fn div(&self, a: &Quotient, b: &Quotient) -> Result<Quotient, Refutation> {
+        for power in 0..=MAX_POWER {
+            if let Some(ratio) = self.ratio(&b.numerator, &self.root_power(power)?)? {
+                let inverse = Rational::ONE.checked_div(ratio)?.ok_or(Overflow)?;
+                let numerator = a.numerator.mul(&self.root_power(b.power)?)?.scale(inverse)?;
+                return self.over(&numerator, a.power + power);
+            }
         }
-        let numerator = a.numerator.mul(&b.denominator)?.add(&b.numerator.mul(&a.denominator)?)?;
-        self.fraction(&numerator, &a.denominator.mul(&b.denominator)?)
+        undefined("expected a division by a multiple of a power of the norm's root, found another")
     }
-    fn neg(&self, a: &Fraction) -> Result<Fraction, Refutation> {
-        Ok(Fraction { numerator: a.numerator.neg(), denominator: a.denominator.clone() })
-    }
-    fn mul(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, Refutation> {
-        self.fraction(&a.numerator.mul(&b.numerator)?, &a.denominator.mul(&b.denominator)?)
-    }
-    fn div(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, Refutation> {
-        self.fraction(&a.numerator.mul(&b.denominator)?, &a.denominator.mul(&b.numerator)?)
-    }
-    fn sqrt(&self, a: &Fraction) -> Result<Fraction, Refutation> {
-        if a.denominator != Polynomial::one() {
-            return undefined("expected a polynomial under a root, found a fraction");
+    fn sqrt(&self, a: &Quotient) -> Result<Quotient, Refutation> {
+        let number = a.numerator.as_constant().filter(|_| a.power == 0).and_then(Rational::exact_root);
+        if let Some(number) = number {
+            return self.constant(number);
         }
-        let radicand = self.normal_form(&a.numerator)?;
-        let first = self.names.len() as Symbol;
-        let mut roots = self.roots.borrow_mut();
-        if let Some(known) = roots.radicands.iter().position(|other| *other == radicand) {
-            return Ok(Fraction::whole(Polynomial::symbol(first + known as Symbol)));
+        let factor = self.ratio(&a.numerator, &self.square)?.filter(|_| a.power == 0).and_then(Rational::exact_root);
+        match factor {
+            Some(factor) => self.over(&self.root.scale(factor)?, 0),
+            None => undefined("expected the root of a rational square times the norm, found another root"),
         }
-        if radicand.is_zero() {
-            return undefined("expected something other than 0 under a root, found what is 0 for every input");
-        }
-        let root = first + roots.radicands.len() as Symbol;
-        if radicand.terms().any(|(monomial, _)| monomial.symbols().iter().any(|&symbol| symbol >= first)) {
-            return undefined("expected no root under a root, found one");
-        }
-        roots.relations = roots.relations.with_square(root, radicand.clone());
-        roots.radicands.push(radicand);
-        Ok(Fraction::whole(Polynomial::term(Monomial::new(vec![root]), Rational::ONE)))
     }
-    fn sin(&self, _: &Fraction) -> Result<Fraction, Refutation> {
+    fn sin(&self, _: &Quotient) -> Result<Quotient, Refutation> {
         undefined("expected a program of ring operations, roots and divisions, found a sine")
     }
-    fn cos(&self, _: &Fraction) -> Result<Fraction, Refutation> {
+    fn cos(&self, _: &Quotient) -> Result<Quotient, Refutation> {
         undefined("expected a program of ring operations, roots and divisions, found a cosine")
     }
-    fn atan2(&self, _: &Fraction, _: &Fraction) -> Result<Fraction, Refutation> {
+    fn atan2(&self, _: &Quotient, _: &Quotient) -> Result<Quotient, Refutation> {
         undefined("expected a program of ring operations, roots and divisions, found an arc tangent")
     }
-    fn quotient(&self, _: &Fraction, _: &Fraction, _: Rational) -> Result<Fraction, Refutation> {
+    fn quotient(&self, _: &Quotient, _: &Quotient, _: Rational) -> Result<Quotient, Refutation> {
         undefined("expected a program of ring operations, roots and divisions, found a quotient with a limit")
     }
-    fn function(&self, function: Function, _: &Fraction) -> Result<Fraction, Refutation> {
+    fn function(&self, function: Function, _: &Quotient) -> Result<Quotient, Refutation> {
         undefined(&format!("expected a program of ring operations, roots and divisions, found {}", function.name()))
     }
 }

@@ -129,6 +129,15 @@ impl Rational {
         self.checked_mul(Self::new(other.denominator, other.numerator)?).map(Some)
     }
 
+    /// The square root that is not negative, where it is rational.
+    pub fn exact_root(self) -> Option<Self> {
+        let root = |square: i128| {
+            let root = u128::try_from(square).ok()?.isqrt();
+            (root * root == square as u128).then_some(root as i128)
+        };
+        Some(Self { numerator: root(self.numerator)?, denominator: root(self.denominator)? })
+    }
+
     /// The nearest f64, for tests and reports; exact where numerator and denominator are below 2^53.
     pub fn to_f64(self) -> f64 {
         self.numerator as f64 / self.denominator as f64

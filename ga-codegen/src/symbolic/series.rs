@@ -277,7 +277,10 @@ impl SeriesRing {
             })?;
             quotient.add_term(rest, coefficient)?;
         }
-        Ok(Series { polynomial: quotient, order: a.order.saturating_sub(k) })
+        let order = a.order.checked_sub(k).ok_or_else(|| {
+            SeriesError::Undefined(format!("expected a series that is known to order {k} before it is divided by it"))
+        })?;
+        Ok(Series { polynomial: quotient, order })
     }
 
     /// The root whose first coefficient is positive, of a series l^2k (1 + ...) in the radical alone.

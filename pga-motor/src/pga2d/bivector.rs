@@ -1,6 +1,7 @@
 //! Bivectors: points of any weight, and generators of motions.
 
 use super::{Bivector, Line, Motor, Point, kernels};
+use crate::scalar::{Precision, precision};
 use crate::{LengthMismatch, Real, Scalar, slices};
 
 impl<T: Scalar> Bivector<T> {
@@ -59,7 +60,8 @@ impl<T: Real> Bivector<T> {
     /// The motion that the bivector generates: the sum of b^n / n!.
     ///
     /// The turn by angle t about the point p, counter-clockwise, is the exponential of -t/2 p; the translation by
-    /// (x, y) that of -(x e01 - y e20)/2. [`Motor::about`] takes the angle itself. NaN in gives NaN out.
+    /// (x, y) that of -(x e01 - y e20)/2. [`Motor::about`] takes the angle itself. NaN in gives NaN out, and an
+    /// infinite coefficient NaN or infinity.
     #[inline]
     pub fn exp(self) -> Motor<T> {
         kernels::bivector_exp(self)
@@ -73,22 +75,22 @@ impl<T: Real> Bivector<T> {
     /// # Errors
     /// Slices of different lengths; then nothing is written.
     pub fn exp_slice(bivectors: &[Self], motors: &mut [Motor<T>]) -> Result<(), LengthMismatch> {
-        if slices::is_single::<T>() {
-            slices::map_quickly(
+        match precision::<T>() {
+            Precision::Single => slices::map_quickly(
                 bivectors,
                 motors,
                 kernels::bivector_exp_f32,
                 kernels::bivector_exp_f32_holds,
                 Self::exp,
-            )
-        } else {
-            slices::map_quickly(
+            ),
+            Precision::Double => slices::map_quickly(
                 bivectors,
                 motors,
                 kernels::bivector_exp_f64,
                 kernels::bivector_exp_f64_holds,
                 Self::exp,
-            )
+            ),
+            Precision::Finer => slices::map(bivectors, motors, Self::exp),
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::{
     Bivector, Direction, EvenMultivector, Line, Motor, OddMultivector, Point, Rotor, Translator, UnitLine, kernels,
 };
+use crate::scalar::{Precision, precision};
 use crate::{LengthMismatch, Real, Scalar, slices};
 use core::ops::Shr;
 
@@ -160,16 +161,23 @@ impl<T: Real> Motor<T> {
     /// # Errors
     /// Slices of different lengths; then nothing is written.
     pub fn log_slice(motors: &[Self], bivectors: &mut [Bivector<T>]) -> Result<(), LengthMismatch> {
-        let single = slices::is_single::<T>();
-        let quick = |motor: Self| {
-            let near = motor.short_way();
-            if single { kernels::motor_log_f32(near) } else { kernels::motor_log_f64(near) }
-        };
-        let holds = |motor: Self| {
-            let near = motor.short_way();
-            if single { kernels::motor_log_f32_holds(near) } else { kernels::motor_log_f64_holds(near) }
-        };
-        slices::map_quickly(motors, bivectors, quick, holds, Self::log)
+        match precision::<T>() {
+            Precision::Single => slices::map_quickly(
+                motors,
+                bivectors,
+                |motor: Self| kernels::motor_log_f32(motor.short_way()),
+                |motor: Self| kernels::motor_log_f32_holds(motor.short_way()),
+                Self::log,
+            ),
+            Precision::Double => slices::map_quickly(
+                motors,
+                bivectors,
+                |motor: Self| kernels::motor_log_f64(motor.short_way()),
+                |motor: Self| kernels::motor_log_f64_holds(motor.short_way()),
+                Self::log,
+            ),
+            Precision::Finer => slices::map(motors, bivectors, Self::log),
+        }
     }
 
     /// The generator of the motor itself, by at most a whole turn: exp(m.log_double_cover()) is m and not -m.

@@ -106,17 +106,17 @@ fn what_is_not_rigid_is_named_with_its_place() {
     assert_refused(
         |columns| (columns[2][3], columns[3][3]) = (-1.0, 0.5),
         NotRigid::LastRow { column: 2, found: -1.0, expected: 0.0, tolerance },
-        "column 2, last row: expected 0 to 1e-6, found -1",
+        "column 2, last row: expected 0 within 1e-6, found -1",
     );
     assert_refused(
         |columns| (columns[0][0], columns[1][1]) = (2.0, 3.0),
         NotRigid::Scaled { column: 1, length_squared: 9.0, tolerance },
-        "column 1: expected an axis of squared length 1 to 1e-6, found 9",
+        "column 1: expected an axis of squared length 1 within 1e-6, found 9",
     );
     assert_refused(
         |columns| columns[2] = [0.0, 0.6, 0.8, 0.0],
         NotRigid::Sheared { columns: [1, 2], product: 0.6, tolerance },
-        "columns 1 and 2: expected perpendicular axes, product 0 to 1e-6, found 0.6",
+        "columns 1 and 2: expected perpendicular axes, product 0 within 1e-6, found 0.6",
     );
     assert_refused(
         |columns| columns.swap(0, 1),
@@ -126,7 +126,7 @@ fn what_is_not_rigid_is_named_with_its_place() {
     assert_refused(
         |columns| columns[0][0] = 1e200,
         NotRigid::Scaled { column: 0, length_squared: f64::INFINITY, tolerance },
-        "column 0: expected an axis of squared length 1 to 1e-6, found inf",
+        "column 0: expected an axis of squared length 1 within 1e-6, found inf",
     );
     assert!(matches!(Motor::from_columns([[0.0; 4]; 4]), Err(NotRigid::LastRow { column: 3, .. })));
 }
