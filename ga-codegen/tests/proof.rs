@@ -2,7 +2,7 @@
 
 use ga_codegen::Compiled;
 use ga_codegen::kernel::{Definition, Specification};
-use ga_codegen::program::{FloatDomain, Operation, Program, ProgramBuilder, Value};
+use ga_codegen::program::{FloatDomain, Operation, Program, Value};
 use ga_codegen::proof::{Proof, prove};
 use ga_codegen::symbolic::Rational;
 
