@@ -12,9 +12,11 @@
 //! (Dorst and De Keninck, "A Guided Tour to the Plane-Based Geometric Algebra PGA", 2022, give the same for 3D.)
 //!
 //! As written, A leaves the range of floating point long before l does, and g and h cancel. So coefficients that make up A
-//! occur as n = b / l, at most 1, and P as P / l, which a unit's relations bound by the rest of V. What stands before
-//! them is then sin l for S b, C - S for g b b, theta for k b and 1 - s k for h P b: nothing grows, and the error of
-//! C - S and of 1 - s k is that of numbers near 1.
+//! occur as n = b / l, at most 1, and P as P / l. What stands before them is then sin l for S b, C - S for g b b, theta
+//! for k b and 1 - s k for h P b: nothing grows, and the error of C - S and of 1 - s k is that of numbers near 1.
+//!
+//! P / l is no quotient, for P has the rounding errors of the products that led to m, whatever l is. A unit has
+//! s P = N / 2 and s^2 + l^2 = 1, so P / l = s N / (2 l) + l P; and N has b once, so nothing but b is divided by l.
 //!
 //! A multivector y whose norm y ~y = A + N is such a number is (1 - N / (2 A)) / sqrt(A) times a unit, y normalised.
 
@@ -215,18 +217,6 @@ fn times(value: &Multivector, factor: &Polynomial) -> Result<Multivector, Factor
     Ok(value.map(|coefficient| coefficient.mul(factor))?)
 }
 
-/// The coefficients of a multivector over the norm, and 0 where that is 0.
-fn over(value: &Multivector, norm: Value, values: &mut Values) -> Result<Multivector, FactorError> {
-    let (value, coefficients) = values.symbols_for(value)?;
-    let mut terms = Vec::new();
-    for ((blade, symbol), (_, dividend)) in value.terms().zip(coefficients) {
-        let quotient = values.push(Operation::Quotient(dividend, norm, Rational::ZERO));
-        let sign = symbol.terms().next().map_or(Rational::ONE, |(_, sign)| sign);
-        terms.push((blade, values.symbol(quotient).scale(sign)?));
-    }
-    Ok(Multivector::from_terms(terms))
-}
-
 /// exp B = C + S N/2 + (S - g N/2) B.
 pub(super) fn exp(specification: &Specification) -> Result<Program, FactorError> {
     let mut values = Values::new(specification);
@@ -325,7 +315,10 @@ pub(super) fn log(specification: &Specification) -> Result<Program, FactorError>
     let slope_value = values.push(Operation::Quotient(rest_value, square, Rational::new(1, 3)?));
     let (rest, slope) = (values.symbol(rest_value), values.symbol(slope_value));
     // h P V: h for what has no b; (1 - s k) (P / l) (b / l) for what has it.
-    let p_over_norm = over(&p, norm, &mut values)?;
+    let half =
+        split.polar(&half_nilpotent(v, specification)?, &directions, &[&Polynomial::zero(), &values.symbol(s)])?;
+    let p_over_norm = half.add(&times(&p, &values.symbol(norm))?)?;
+    let (p_over_norm, _) = values.symbols_for(&p_over_norm)?;
     let without = split.polar(v, &directions, &[&Polynomial::one(), &Polynomial::zero()])?;
     let with = split.polar(&v.sub(&without)?, &directions, &[&Polynomial::zero(), &rest])?;
     let value = split
