@@ -269,9 +269,10 @@ impl<T: Real> Motor<T> {
     /// The generator of the rigid motion by at most half a turn: exp(log m) is m or -m, which are the same motion.
     ///
     /// m and -m have the same logarithm, except where the scalar part is 0: on this tie, exactly half a turn, log(-m)
-    /// is -log m. The logarithm of the turn by angle t about the unit line l is -t/2 l; of the translation by (x, y, z)
-    /// it is -(x e01 + y e02 + z e03)/2. Rotations keep their digits however small they are. NaN in gives NaN out, and so do
-    /// infinite coefficients of the rotation; an infinite translation stays infinite or becomes NaN.
+    /// turns the other way and slides the same way, so it is -log m where nothing slides. The logarithm of the turn by
+    /// angle t about the unit line l is -t/2 l; of the translation by (x, y, z) it is -(x e01 + y e02 + z e03)/2.
+    /// Rotations keep their digits however small they are. NaN in gives NaN out, and so do infinite coefficients of the
+    /// rotation; an infinite translation stays infinite or becomes NaN.
     ///
     /// ```
     /// use pga_motor::f64::{Direction, Line, Motor, Translator};

@@ -42,10 +42,11 @@ pub trait Real: Scalar + PartialOrd + Div<Output = Self> {
     /// least normal one. Dividing by it is exact and leads to a number near 1 or, from a subnormal one, to a normal one.
     fn power_of_two(self) -> Self;
 
-    /// `self / denominator`, and `limit` where the denominator is 0: a quotient with a removable singularity.
+    /// `self / denominator`, and `limit` where the denominator is 0 and this number finite: a quotient with a removable
+    /// singularity. NaN stays NaN.
     #[inline]
     fn quotient(self, denominator: Self, limit: Self) -> Self {
-        if denominator == Self::ZERO { limit } else { self / denominator }
+        if denominator == Self::ZERO && self.is_finite() { limit } else { self / denominator }
     }
 
     /// The square root of the sum of the squares, though these may leave the range of the numbers.

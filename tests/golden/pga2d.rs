@@ -33,9 +33,13 @@ pub mod scalar {
         /// The greatest power of two that is not above the magnitude; for 0 and subnormal numbers the least normal
         /// one.
         fn power_of_two(self) -> Self;
-        /// `self / denominator`, and `limit` where the denominator is 0.
+        /// `self / denominator`, and `limit` where the denominator is 0 and this number finite.
         fn quotient(self, denominator: Self, limit: Self) -> Self {
-            if denominator == Self::ZERO { limit } else { self / denominator }
+            if denominator == Self::ZERO && self.is_finite() {
+                limit
+            } else {
+                self / denominator
+            }
         }
         /// The square root of the sum of the squares, though these may leave the range of the numbers.
         fn norm<const N: usize>(components: [Self; N]) -> Self {

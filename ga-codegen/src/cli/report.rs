@@ -145,12 +145,13 @@ fn object(definition: &Definition, compiled: &Compiled) -> Value {
     let inputs: Vec<_> = inputs.iter().map(|(name, of)| json!({ "name": name, "type": of })).collect();
     let count = Count::of(&compiled.program);
     json!({
-        "kernel": if compiled.part == Part::Whole { &kernel.name } else { &compiled.name },
+        "kernel": if compiled.part == Part::Whole && compiled.precision.is_none() { &kernel.name } else { &compiled.name },
         "function": compiled.name,
         "definition": kernel.definition(),
         "inputs": inputs,
         "output": output(definition, compiled),
         "cost_model": compiled.model.name(),
+        "polynomial": compiled.precision.map(|precision| precision.name()),
         "expanded": compiled.expanded.map(|count| json!({ "mul": count.mul, "add": count.add })),
         "emitted": {
             "mul": count.mul,

@@ -145,8 +145,8 @@ impl<T: Real> Motor<T> {
     ///
     /// m and -m have the same logarithm, except where the scalar part is 0: on this tie, exactly half a turn, log(-m)
     /// is -log m. The logarithm of the turn by angle t about the point p is -t/2 p; of the translation by (x, y) it is
-    /// -(x e01 - y e20)/2. Rotations keep their digits however small they are. NaN in gives NaN out, and so do infinite
-    /// coefficients of the rotation; an infinite translation stays infinite or becomes NaN.
+    /// -(x e01 - y e20)/2. Rotations keep their digits however small they are. NaN in gives NaN out, and so does an
+    /// infinite e12; an infinite scalar part counts as no turn; an infinite translation stays infinite or becomes NaN.
     #[inline]
     pub fn log(self) -> Bivector<T> {
         kernels::motor_log(self.short_way())
