@@ -47,6 +47,7 @@ extern crate alloc;
 
 mod algebra;
 mod even;
+pub mod gf3;
 pub mod import;
 #[cfg(feature = "glam")]
 pub mod interop;
