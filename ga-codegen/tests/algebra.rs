@@ -207,6 +207,34 @@ fn null_degrees_are_counted_in_any_signature() {
 }
 
 #[test]
+fn null_degree_of_a_product_is_the_sum_in_any_signature() {
+    for signature in [Signature::new(3, 0, 1), Signature::new(1, 1, 2), Signature::new(2, 0, 0)] {
+        let blades = || (0..1 << signature.dimension()).map(Blade);
+        for (a, b) in blades().flat_map(|a| blades().map(move |b| (a, b))) {
+            let sum = a.null_degree(signature) + b.null_degree(signature);
+            assert!(a.geometric(b, signature).is_none_or(|(_, product)| product.null_degree(signature) == sum));
+        }
+    }
+}
+
+#[test]
+fn trit_labels_are_the_published_ones() {
+    let signature = Signature::new(3, 0, 1);
+    let basis = Basis::canonical(signature).expect("at most 8 generators");
+    let labelled = |label| -> Vec<&str> {
+        let blades = basis.blades().iter().filter(|named| named.blade.trit_label(signature) == label);
+        blades.map(|named| named.name.as_str()).collect()
+    };
+    assert_eq!(labelled(Some(1)), ["e01", "e02", "e03"]);
+    assert_eq!(labelled(Some(0)), ["e12", "e13", "e23"]);
+    assert_eq!(labelled(Some(-1)), ["1"]);
+    assert_eq!(labelled(None).len(), 9);
+    // A bivector of two null generators translates as well; without any there are rotations alone.
+    assert_eq!(Blade(0b11).trit_label(Signature::new(1, 0, 2)), Some(1));
+    assert_eq!(Blade(0b11).trit_label(Signature::new(2, 0, 0)), Some(0));
+}
+
+#[test]
 #[should_panic(expected = "a blade of this basis's algebra")]
 fn a_blade_of_another_algebra_has_no_name() {
     let basis = Basis::canonical(Signature::new(2, 0, 0)).expect("at most 8 generators");

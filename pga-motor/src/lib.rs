@@ -48,6 +48,8 @@ extern crate alloc;
 mod algebra;
 mod alignment;
 mod even;
+pub mod game;
+pub mod gf3;
 pub mod import;
 #[cfg(feature = "glam")]
 pub mod interop;
@@ -86,6 +88,7 @@ pub mod f32 {
         OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
     crate::precision::aliases! { f32 in skeleton: Joint Pose Skeleton }
+    crate::precision::aliases! { f32 in game: MotorGame }
 }
 
 /// The types in double precision: `pga_motor::f64::Motor` is `pga_motor::Motor<f64>`. Those of the plane are in
@@ -96,4 +99,5 @@ pub mod f64 {
         OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
     crate::precision::aliases! { f64 in skeleton: Joint Pose Skeleton }
+    crate::precision::aliases! { f64 in game: MotorGame }
 }

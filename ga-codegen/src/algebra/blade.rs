@@ -59,13 +59,6 @@ impl Blade {
         self.0.count_ones()
     }
 
-    /// How many of its generators square to 0: its degree under a change of the unit of length, which scales those.
-    pub const fn null_degree(self, signature: Signature) -> u32 {
-        // Null generators are numbered first. A blade has at most 8 generators, whatever the signature.
-        let null = if signature.null() < 8 { signature.null() } else { 8 };
-        (self.0 as u32 & ((1 << null) - 1)).count_ones()
-    }
-
     /// The positions of its generators, ascending.
     pub fn positions(self) -> impl Iterator<Item = usize> {
         (0..8).filter(move |&position| self.0 >> position & 1 == 1)

@@ -1,4 +1,5 @@
-//! What multiplies to what: signatures, basis blades, their signs, Cayley tables. Exact, and no symbols yet.
+//! What multiplies to what: signatures, basis blades, their signs, Cayley tables; labels of blades. Exact, and no symbols
+//! yet.
 //!
 //! Blades are kept in ascending order of generators ([`Blade`]); names and orientations that a user chose
 //! (`e31` = -`e13`) live in the [`Basis`] alone and matter only where text comes in or goes out.
@@ -6,6 +7,7 @@
 mod basis;
 mod blade;
 mod cayley;
+mod gf3;
 mod signature;
 
 pub use basis::{Basis, BasisError, BasisErrorKind, NamedBlade};

@@ -2,7 +2,7 @@
 
 use super::body::body;
 use super::{doc, ident};
-use crate::algebra::Blade;
+use crate::algebra::{Blade, Signature};
 use crate::factor::factor_polynomials;
 use crate::kernel::{ComponentValue, Entity};
 use crate::program::Program;
@@ -12,10 +12,17 @@ use quote::quote;
 use std::collections::BTreeMap;
 
 /// The struct of an entity and its implementations.
-pub(super) fn entity(entity: &Entity) -> syn::Result<TokenStream> {
+pub(super) fn entity(entity: &Entity, signature: Signature) -> syn::Result<TokenStream> {
     let relation_errors = relation_errors(entity)?;
-    let parts =
-        [structure(entity), construction(entity), arrays(entity), display(entity), linear(entity), negation(entity)];
+    let parts = [
+        structure(entity),
+        construction(entity),
+        labels(entity, signature),
+        arrays(entity),
+        display(entity),
+        linear(entity),
+        negation(entity),
+    ];
     let identity = identity(entity);
     Ok(quote! { #(#parts)* #identity #relation_errors })
 }
@@ -88,6 +95,33 @@ fn construction(entity: &Entity) -> TokenStream {
             pub fn is_finite(self) -> bool {
                 #(self.#fields.is_finite())&&*
             }
+        }
+    }
+}
+
+/// What is known of the fields' blades, as plain data for whoever has the struct and not the generator.
+fn labels(entity: &Entity, signature: Signature) -> TokenStream {
+    let name = ident(&entity.name);
+    let blades: Vec<_> = entity.fields().map(|(_, component)| component.blade).collect();
+    let count = Literal::usize_unsuffixed(blades.len());
+    let degrees = blades.iter().map(|blade| Literal::u32_unsuffixed(blade.null_degree(signature)));
+    let labels = blades.iter().map(|blade| match blade.trit_label(signature) {
+        Some(label) => {
+            let label = Literal::i8_unsuffixed(label);
+            quote!(Some(#label))
+        }
+        None => quote!(None),
+    });
+    quote! {
+        impl<T> #name<T> {
+            /// How many generators that square to 0 the blade of each field has, in the order of the fields: the power
+            /// of the unit of length in its coefficient. A product of blades that is not 0 has the sum of their
+            /// degrees.
+            pub const NULL_DEGREES: [u32; #count] = [#(#degrees),*];
+
+            /// The trit of what the blade of each field does in a motion, in the order of the fields: 1 translation, 0
+            /// rotation, -1 identity. No grading: products do not keep it.
+            pub const TRIT_LABELS: [Option<i8>; #count] = [#(#labels),*];
         }
     }
 }

@@ -25,7 +25,7 @@ pub fn rust(definition: &Definition, compiled: &[Compiled]) -> syn::Result<Token
         .entities
         .iter()
         .filter(|entity| !entity.is_scalar())
-        .map(entity::entity)
+        .map(|entity| entity::entity(entity, definition.basis.signature()))
         .collect::<syn::Result<_>>()?;
     let functions = kernels(definition, compiled, None)?;
     let operators = operators::operators(definition);
