@@ -14,8 +14,8 @@ pub(crate) struct Exact {
 
 const OVERFLOW: &str = "exact arithmetic overflowed i128: the samples are too large for this kernel";
 
-/// The greatest common divisor by Euclid, in half the width as soon as that holds both: most numbers here are small, and
-/// wide divisions are what costs.
+/// The greatest common divisor by Euclid, in half the width as soon as that holds both: most numbers here are small,
+/// and wide divisions are what costs.
 fn greatest_common_divisor(a: i128, b: i128) -> i128 {
     let (mut a, mut b) = (a.unsigned_abs(), b.unsigned_abs());
     while b != 0 {
@@ -38,6 +38,17 @@ impl Exact {
         assert!(denominator != 0, "no division by 0");
         let divisor = greatest_common_divisor(numerator, denominator) * denominator.signum();
         Self { numerator: numerator / divisor, denominator: denominator / divisor }
+    }
+
+    /// The product, what is common cancelled first.
+    fn times(self, other: Self) -> Self {
+        let first = greatest_common_divisor(self.numerator, other.denominator);
+        let second = greatest_common_divisor(other.numerator, self.denominator);
+        let product = |a: i128, b: i128| a.checked_mul(b).expect(OVERFLOW);
+        Self {
+            numerator: product(self.numerator / first, other.numerator / second),
+            denominator: product(self.denominator / second, other.denominator / first),
+        }
     }
 
     /// The nearest `f64` up to 3 units of rounding, u = 2^-53: one for each part and one for the division.
@@ -97,20 +108,14 @@ impl Sub for Exact {
 impl Mul for Exact {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let first = greatest_common_divisor(self.numerator, other.denominator);
-        let second = greatest_common_divisor(other.numerator, self.denominator);
-        let times = |a: i128, b: i128| a.checked_mul(b).expect(OVERFLOW);
-        Self {
-            numerator: times(self.numerator / first, other.numerator / second),
-            denominator: times(self.denominator / second, other.denominator / first),
-        }
+        self.times(other)
     }
 }
 
 impl Div for Exact {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        self * Self::new(other.denominator, other.numerator)
+        self.times(Self::new(other.denominator, other.numerator))
     }
 }
 
