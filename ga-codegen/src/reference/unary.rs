@@ -73,8 +73,8 @@ impl<T: Real> Multivector<T> {
     /// The multivector over its [`Multivector::norm`]; `None` where that is 0, or its square leaves the range of the
     /// numbers.
     ///
-    /// Of a sum of several grades, such as an even element, X ~X may have more than a scalar part, and keeps it: only that
-    /// scalar part becomes 1 (or -1). An ideal element has the norm 0; it is to be divided by its
+    /// Of a sum of several grades, such as an even element, X ~X may have more than a scalar part, and keeps it: only
+    /// that scalar part becomes 1 (or -1). An ideal element has the norm 0; it is to be divided by its
     /// [`Multivector::ideal_norm`].
     ///
     /// ```

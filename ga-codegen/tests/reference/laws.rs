@@ -237,8 +237,8 @@ fn inner_product_with_a_scalar_scales() {
 
 #[test]
 fn what_is_normalised_has_norm_one() {
-    // Over 3 (squares 1, 4, 4), 7 (4, 9, 36) and 2 (the negative square of e1 in Cl(0,1,0)), all exact but the thirds and
-    // sevenths, whose quotients meet one rounding each: the tolerance is 4 roundings of numbers up to 1.
+    // Over 3 (squares 1, 4, 4), 7 (4, 9, 36) and 2 (the negative square of e1 in Cl(0,1,0)), all exact but the thirds
+    // and sevenths, whose quotients meet one rounding each: the tolerance is 4 roundings of numbers up to 1.
     let plane = multivector(PGA_3D, [("e1", 1.0), ("e2", 2.0), ("e3", -2.0), ("e0", 6.0)]);
     let line = multivector(PGA_3D, [("e23", 2.0), ("e31", 3.0), ("e12", 6.0), ("e01", 3.0), ("e02", -2.0)]);
     let imaginary = multivector(Signature::new(0, 1, 0), [("e1", 2.0)]);
