@@ -44,7 +44,7 @@ mod pga3d {
 
     // An emitted file without `export` has no list of its own; being fresh, it has the kernels of the preset.
     pga_motor::pga3d_kernels!(dispatch); // is one missing? cargo run -p ga-codegen -- emit pga3d -o tests/golden/pga3d.rs
-    claims!("pga3d");
+    claims!("pga3d", 200);
 }
 
 mod pga2d {
@@ -52,7 +52,7 @@ mod pga2d {
     use crate::golden::pga2d::scalar;
 
     pga_motor::pga2d_kernels!(dispatch); // is one missing? cargo run -p ga-codegen -- emit pga2d -o tests/golden/pga2d.rs
-    claims!("pga2d");
+    claims!("pga2d", 200);
 }
 
 const PRESETS: [&str; 2] = ["pga3d", "pga2d"];

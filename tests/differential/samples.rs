@@ -3,7 +3,8 @@
 //! An entity without relations takes any coefficients. One with relations is made by motion: a versor is a product of
 //! rotors whose sines and cosines are rational, ((1 - t^2) + 2 t e_ij) / (1 + t^2), and of a translator where the type
 //! has ideal coefficients; anything else is the image of a Euclidean basis blade under such a versor. So a unit line
-//! keeps the Pluecker relation because the image of an axis is a line.
+//! keeps the Pluecker relation because the image of an axis is a line. Three turns make any rotation; two carry an axis
+//! in any direction, and keep the fractions short enough for products of many.
 
 use crate::exact::Exact;
 use ga_codegen::algebra::Signature;
@@ -74,9 +75,9 @@ fn translator(signature: Signature, random: &mut Random) -> Multivector<Exact> {
     Multivector::from_blades(signature, terms).expect("words of the signature")
 }
 
-fn versor(signature: Signature, with_translation: bool, random: &mut Random) -> Multivector<Exact> {
+fn versor(signature: Signature, turns: usize, with_translation: bool, random: &mut Random) -> Multivector<Exact> {
     let mut versor = Multivector::scalar(signature, Exact::ONE);
-    for _ in 0..3 {
+    for _ in 0..turns {
         versor = versor.geometric(&rotor(signature, random));
     }
     if with_translation { translator(signature, random).geometric(&versor) } else { versor }
@@ -88,8 +89,10 @@ pub(crate) fn entity(signature: Signature, entity: &Entity, random: &mut Random)
         return entity.fields().map(|_| random.fraction()).collect();
     }
     let words: Vec<_> = entity.fields().map(|(_, component)| component.name.clone()).collect();
-    let versor = versor(signature, words.iter().any(|word| is_ideal(word)), random);
-    let value = if words.iter().any(|word| word == "1") {
+    let is_versor = words.iter().any(|word| word == "1");
+    let turns = if is_versor { 3 } else { 2 };
+    let versor = versor(signature, turns, words.iter().any(|word| is_ideal(word)), random);
+    let value = if is_versor {
         versor
     } else {
         let euclidean: Vec<_> = words.iter().filter(|word| !is_ideal(word)).collect();
@@ -103,10 +106,46 @@ pub(crate) fn entity(signature: Signature, entity: &Entity, random: &mut Random)
     fields
 }
 
+/// Values of the entities that have relations, made once for all kernels: it is these that take time.
+pub(crate) struct Pools {
+    /// By entity; empty for one without relations.
+    values: Vec<Vec<Vec<Exact>>>,
+}
+
+impl Pools {
+    /// So many different values of every entity with relations.
+    pub(crate) fn new(definition: &Definition, size: usize, random: &mut Random) -> Self {
+        let pool = |one: &Entity| match one.statements.is_empty() {
+            true => Vec::new(),
+            false => (0..size).map(|_| entity(definition.basis.signature(), one, random)).collect(),
+        };
+        Self { values: definition.entities.iter().map(pool).collect() }
+    }
+
+    /// The inputs of a kernel in one of many cases. Parameters of one type get different values.
+    pub(crate) fn row(&self, definition: &Definition, kernel: &Kernel, case: usize, random: &mut Random) -> Vec<Exact> {
+        let mut row = Vec::new();
+        for (position, parameter) in kernel.parameters.iter().enumerate() {
+            let pool = &self.values[parameter.entity];
+            let one = &definition.entities[parameter.entity];
+            match pool.len() {
+                0 => row.extend(entity(definition.basis.signature(), one, random)),
+                size => row.extend_from_slice(&pool[(case + position * size / 3) % size]),
+            }
+        }
+        keep_relations(definition, kernel, row, random)
+    }
+}
+
 /// The coefficients of random inputs of a kernel, those of all parameters in one row.
 pub(crate) fn row(definition: &Definition, kernel: &Kernel, random: &mut Random) -> Vec<Exact> {
     let entities = kernel.parameters.iter().map(|parameter| &definition.entities[parameter.entity]);
-    let mut row: Vec<_> = entities.flat_map(|one| entity(definition.basis.signature(), one, random)).collect();
+    let row = entities.flat_map(|one| entity(definition.basis.signature(), one, random)).collect();
+    keep_relations(definition, kernel, row, random)
+}
+
+/// A row in which the kernel's own relations hold as well as those of the types.
+fn keep_relations(definition: &Definition, kernel: &Kernel, mut row: Vec<Exact>, random: &mut Random) -> Vec<Exact> {
     // A kernel's own relations so far say that some coefficients, bound by nothing else, make a vector of length 1.
     for statement in &kernel.statements {
         let symbols = sphere(statement.relation.polynomial());

@@ -5,7 +5,7 @@ use std::fmt;
 use std::ops::{Add, Neg, Sub};
 
 use super::word::Word;
-use super::{Number, ReferenceError, notation};
+use super::{Number, ReferenceError, notation, number_text};
 use crate::algebra::Signature;
 
 /// A multivector of any Cl(p,q,r) of at most [`Signature::MAX_DIMENSION`] dimensions.
@@ -248,42 +248,40 @@ impl<T: Number> Neg for &Multivector<T> {
     }
 }
 
-/// Writes the terms by grade, `2 e12 - e0123`, and `0` if there are none. A coefficient whose own text contains a space
-/// stands in parentheses.
+/// Writes the terms by grade, `2 e12 - e0123`, and `0` if there are none. A coefficient whose own text is not a plain
+/// number stands in parentheses. [`Multivector::parse`] reads what is written, if a coefficient reads what it writes.
 impl<T: Number + fmt::Display> fmt::Display for Multivector<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let blades = self.blades();
-        if blades.is_empty() {
-            return f.write_str("0");
-        }
-        for (position, (word, value)) in blades.iter().enumerate() {
-            let (negative, term) = write_term(word, value);
-            f.write_str(match (position, negative) {
-                (0, false) => "",
-                (0, true) => "-",
-                (_, false) => " + ",
-                (_, true) => " - ",
-            })?;
-            f.write_str(&term)?;
-        }
-        Ok(())
+        f.write_str(&write_terms(&self.blades()))
     }
+}
+
+/// Blades with their coefficients as a sum.
+pub(super) fn write_terms<T: Number + fmt::Display>(blades: &[(String, T)]) -> String {
+    if blades.is_empty() {
+        return "0".to_owned();
+    }
+    let mut sum = String::new();
+    for (position, (word, value)) in blades.iter().enumerate() {
+        let (negative, term) = write_term(word, value);
+        sum += match (position, negative) {
+            (0, false) => "",
+            (0, true) => "-",
+            (_, false) => " + ",
+            (_, true) => " - ",
+        };
+        sum += &term;
+    }
+    sum
 }
 
 /// Whether a term is written with a minus, and what follows the sign. The coefficients 1 and -1 of a blade are not
 /// written.
 fn write_term<T: Number + fmt::Display>(word: &str, value: &T) -> (bool, String) {
-    let text = value.to_string();
-    let (negative, magnitude) = match text.strip_prefix('-') {
-        _ if text.contains(' ') => (false, format!("({text})")),
-        Some(magnitude) => (true, magnitude.to_owned()),
-        None => (false, text),
-    };
-    let is_unit = *value == T::from(1) || *value == T::from(-1);
-    let term = match word {
-        "1" => magnitude,
-        _ if is_unit => word.to_owned(),
-        _ => format!("{magnitude} {word}"),
-    };
-    (negative, term)
+    match (word, number_text::write(value.to_string())) {
+        ("1", written) => written,
+        _ if *value == T::from(1) => (false, word.to_owned()),
+        _ if *value == T::from(-1) => (true, word.to_owned()),
+        (_, (negative, magnitude)) => (negative, format!("{magnitude} {word}")),
+    }
 }

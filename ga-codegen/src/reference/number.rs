@@ -1,6 +1,6 @@
 //! What a coefficient must be able to do.
 
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A coefficient: an element of a commutative ring. There is nothing to implement; whatever has the operations is a
 /// `Number`: `f32`, `f64`, `i64`, or an exact rational.
@@ -18,7 +18,7 @@ impl<T> Number for T where
 }
 
 /// A coefficient of which norms can be taken: `f32` and `f64`.
-pub trait Real: Number {
+pub trait Real: Number + Div<Output = Self> {
     /// The absolute value.
     fn abs(self) -> Self;
 

@@ -69,4 +69,35 @@ impl<T: Real> Multivector<T> {
     pub fn ideal_norm(&self) -> T {
         self.ideal_norm_squared().sqrt()
     }
+
+    /// The multivector over its [`Multivector::norm`]; `None` where that is 0, or its square leaves the range of the
+    /// numbers.
+    ///
+    /// Of a sum of several grades, such as an even element, X ~X may have more than a scalar part, and keeps it: only
+    /// that scalar part becomes 1 (or -1). An ideal element has the norm 0; it is to be divided by its
+    /// [`Multivector::ideal_norm`].
+    ///
+    /// ```
+    /// use ga_codegen::algebra::Signature;
+    /// use ga_codegen::reference::Multivector;
+    ///
+    /// let pga2d = Signature::new(2, 0, 1);
+    /// let line = Multivector::from_blades(pga2d, [("e1", 3.0), ("e2", 4.0), ("e0", 10.0)]).expect("a line");
+    /// assert_eq!(line.normalize().expect("a line that is not at infinity").to_string(), "2 e0 + 0.6 e1 + 0.8 e2");
+    /// assert_eq!(line.outer(&line).normalize(), None);
+    /// ```
+    pub fn normalize(&self) -> Option<Self> {
+        let norm = self.norm();
+        let is_finite = norm.clone() - norm.clone() == T::from(0);
+        (is_finite && norm != T::from(0)).then(|| self.quotient(norm))
+    }
+
+    /// Every coefficient over a number.
+    fn quotient(&self, divisor: T) -> Self {
+        let mut quotient = self.empty();
+        for (word, value) in self.terms() {
+            quotient.accumulate(1, word.to_vec(), value.clone() / divisor.clone());
+        }
+        quotient
+    }
 }

@@ -236,6 +236,32 @@ fn inner_product_with_a_scalar_scales() {
 }
 
 #[test]
+fn what_is_normalised_has_norm_one() {
+    // Over 3 (squares 1, 4, 4), 7 (4, 9, 36) and 2 (the negative square of e1 in Cl(0,1,0)), all exact but the thirds
+    // and sevenths, whose quotients meet one rounding each: the tolerance is 4 roundings of numbers up to 1.
+    let plane = multivector(PGA_3D, [("e1", 1.0), ("e2", 2.0), ("e3", -2.0), ("e0", 6.0)]);
+    let line = multivector(PGA_3D, [("e23", 2.0), ("e31", 3.0), ("e12", 6.0), ("e01", 3.0), ("e02", -2.0)]);
+    let imaginary = multivector(Signature::new(0, 1, 0), [("e1", 2.0)]);
+    for (x, ideal) in [(plane, 2.0_f64), (line, 13.0_f64.sqrt() / 7.0), (imaginary, 0.0)] {
+        let unit = x.normalize().expect("a norm other than 0");
+        assert!((unit.norm() - 1.0_f64).abs() <= 4.0 * f64::EPSILON, "{unit}");
+        assert!((unit.ideal_norm() - ideal).abs() <= 4.0 * f64::EPSILON, "{unit}");
+    }
+}
+
+#[test]
+fn what_has_no_norm_is_not_normalised() {
+    let ideal = multivector(PGA_3D, [("e032", 3.0), ("e021", 4.0)]);
+    let null = multivector(Signature::new(1, 1, 0), [("e1", 1.0), ("e2", 1.0)]);
+    let too_long = multivector(PGA_3D, [("e1", 1e200)]);
+    let too_short = multivector(PGA_3D, [("e1", 1e-200)]);
+    let not_a_number = multivector(PGA_3D, [("e1", f64::NAN)]);
+    for x in [Multivector::zero(PGA_3D), ideal, null, too_long, too_short, not_a_number] {
+        assert_eq!(x.normalize(), None, "{x}");
+    }
+}
+
+#[test]
 fn an_absent_blade_is_an_exact_zero() {
     let infinite = multivector(PGA_3D, [("e0", f64::INFINITY)]);
     assert_eq!(infinite.geometric(&infinite), Multivector::zero(PGA_3D));

@@ -3,10 +3,13 @@
 
 mod blade_notation;
 mod cayley_tables;
+mod fraction;
+mod independence;
 mod laws;
 mod plane_geometry;
 mod space_geometry;
 mod surd;
+mod terms;
 
 use ga_codegen::algebra::Signature;
 use ga_codegen::reference::{Multivector, Number};

@@ -2,6 +2,7 @@
 
 use ga_codegen::reference::{Multivector, Number};
 
+use crate::surd::{SQRT_3, Surd};
 use crate::{PGA_2D, multivector};
 
 fn point<T: Number>(x: T, y: T) -> Multivector<T> {
@@ -43,6 +44,24 @@ fn lines_meet_in_their_common_point() {
     assert_eq!(line(1, 0, -3).outer(&line(0, 1, -4)), point(3, 4));
     // x = 3 and x = 5 meet at infinity, in the y direction, with their distance as the weight.
     assert_eq!(line(1, 0, -3).outer(&line(1, 0, -5)), ideal_point(0, 2));
+}
+
+#[test]
+fn outer_product_of_unit_lines_is_the_sine_times_their_point_or_the_distance_times_their_direction() {
+    // Twice the unit line with normal (1/2, sqrt(3)/2), 60 degrees from (1, 0), and the unit line x = 2.
+    let zero = Surd::from(0);
+    let (a, b) = (line(Surd::from(2), zero, Surd::from(-4)), line(Surd::from(1), SQRT_3, Surd::from(-2)));
+    // Both go through (2, 0); times 4, the cosine is 2 and the sine 2 sqrt(3).
+    assert_eq!(a.inner(&b), Multivector::scalar(PGA_2D, Surd::from(2)));
+    let root = Surd::from(2) * SQRT_3;
+    assert_eq!(a.outer(&b), point(Surd::from(2), zero).scale(root));
+    // 3 x + 4 y = 5 and 3 x + 4 y = 15 have normals of length 5 and are 1 and 3 from the origin.
+    let (c, d) = (line(3, 4, -5), line(3, 4, -15));
+    assert_eq!(c.inner(&d), Multivector::scalar(PGA_2D, 25));
+    // The distance 2 times the direction (-4/5, 3/5) along the lines, times 25.
+    assert_eq!(c.outer(&d), ideal_point(-40, 30));
+    assert_eq!(c.outer(&d).ideal_norm_squared(), (2 * 25) * (2 * 25));
+    assert_eq!(c.outer(&d).norm_squared(), 0);
 }
 
 #[test]

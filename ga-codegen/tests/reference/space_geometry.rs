@@ -86,6 +86,55 @@ fn product_of_points_is_minus_one_and_their_distance() {
 }
 
 #[test]
+fn product_of_a_plane_and_a_point_is_the_perpendicular_and_the_distance() {
+    // 2 x + 3 y + 6 z = 7 has a normal of length 7; (1, 2, 3) is (26 - 7)/7 away from it.
+    let (a, p) = (plane(2, 3, 6, -7), point(1, 2, 3));
+    assert_eq!(a.geometric(&p), &a.inner(&p) + &a.outer(&p));
+    assert_eq!(a.outer(&p), multivector(PGA_3D, [("e0123", 26 - 7)]));
+    // The line through the point along the normal, which is the join of the point and the direction (2, 3, 6).
+    assert_eq!(a.inner(&p), p.regressive(&direction(2, 3, 6)));
+}
+
+#[test]
+fn outer_product_of_unit_planes_is_the_sine_times_their_line_or_the_distance_times_their_direction() {
+    // 3 x + 4 y = 0 with a normal of length 5, and y = 0: the cosine is 4/5 and the sine 3/5.
+    let (a, b) = (plane(3, 4, 0, 0), plane(0, 1, 0, 0));
+    assert_eq!(a.inner(&b), Multivector::scalar(PGA_3D, 4));
+    assert_eq!(a.outer(&b), multivector(PGA_3D, [("e12", 3)]));
+    // z = 5 and z = 8 are 3 apart.
+    assert_eq!(plane(0, 0, 1, -5).outer(&plane(0, 0, 1, -8)), multivector(PGA_3D, [("e03", 3)]));
+}
+
+#[test]
+fn pseudoscalar_takes_a_plane_to_its_normal_direction_and_a_point_to_the_plane_at_infinity() {
+    let pseudoscalar = multivector(PGA_3D, [("e0123", 1)]);
+    assert_eq!(plane(1, 2, 3, 4).geometric(&pseudoscalar), direction(1, 2, 3));
+    assert_eq!(point(1, 2, 3).geometric(&pseudoscalar), multivector(PGA_3D, [("e0", 1)]));
+}
+
+#[test]
+fn translator_by_twelve_along_z_is_what_two_mirrors_and_what_an_ideal_line_make() {
+    let expected = multivector(PGA_3D, [("1", 1), ("e03", -6)]);
+    // Mirrors half the way apart: first z = 0, then z = 6.
+    assert_eq!(plane(0, 0, 1, -6).geometric(&plane(0, 0, 1, 0)), expected);
+    // Half the way times the ideal line that is perpendicular to the join of the origin and the direction.
+    let axis = point(0, 0, 0).regressive(&direction(0, 0, 1)).geometric(&multivector(PGA_3D, [("e0123", 1)]));
+    assert_eq!(&Multivector::scalar(PGA_3D, 1) + &axis.scale(6), expected);
+}
+
+#[test]
+fn rotor_of_120_degrees_about_y_is_what_an_axis_and_what_two_mirrors_make() {
+    // Twice the rotor, for the sake of whole numbers: cos 60 - sin 60 times the axis through the origin and (0, 1, 0).
+    let expected = multivector(PGA_3D, [("1", surd(1)), ("e31", -SQRT_3)]);
+    let (zero, one) = (surd(0), surd(1));
+    let axis = point(zero, zero, zero).regressive(&point(zero, one, zero));
+    assert_eq!(&Multivector::scalar(PGA_3D, one) - &axis.scale(SQRT_3), expected);
+    // Mirrors 60 degrees apart: first that with the normal z, then that with twice the normal (sin 60, 0, cos 60).
+    let turned = plane(SQRT_3, zero, one, zero);
+    assert_eq!(turned.geometric(&plane(zero, zero, one, zero)), expected);
+}
+
+#[test]
 fn translator_by_twelve_along_z_moves_points_and_leaves_directions() {
     let translator = multivector(PGA_3D, [("1", 1), ("e03", -6)]);
     assert_eq!(translator.sandwich(&point(1, 2, 3)), point(1, 2, 15));
