@@ -143,7 +143,7 @@ impl Writer<'_> {
 
     /// How many operations deep the expression of a value is, what has a name left out.
     fn depth(&self, value: Value) -> usize {
-        let operands = self.program.operations[value].operands().into_iter();
+        let operands = self.program.operations[value].operands();
         let unnamed = operands.filter(|operand| !self.names.contains_key(operand));
         1 + unnamed.map(|operand| self.depths[operand]).max().unwrap_or(0)
     }
