@@ -139,3 +139,75 @@ proptest! {
 fn the_file_to_mutate_is_valid() {
     assert!(bvh::parse::<f64>(VALID).is_ok());
 }
+
+/// A file of one joint with these channels, and what follows `MOTION`.
+fn file(channels: &str, motion: &str) -> String {
+    format!("HIERARCHY\nROOT a\n{{\nOFFSET 0 0 0\nCHANNELS {channels}\n}}\nMOTION\n{motion}\n")
+}
+
+fn error(text: &str) -> String {
+    bvh::parse::<f64>(text).expect_err("a file that is refused").to_string()
+}
+
+#[test]
+fn hierarchies_of_any_depth_are_read_or_refused() {
+    let nested = |depth: usize, closed: usize| {
+        let open = "JOINT j { OFFSET 0 1 0\n".repeat(depth - 1);
+        let close = "}".repeat(closed);
+        format!("HIERARCHY ROOT a {{ OFFSET 0 0 0\n{open}{close}\nMOTION\nFrames: 0\nFrame Time: 1\n")
+    };
+    assert_eq!(bvh::parse::<f64>(&nested(60_000, 60_000)).map(|file| file.skeleton().len()).ok(), Some(60_000));
+    error(&nested(100_000, 100_000));
+    error(&nested(100_000, 99_999));
+    error(&nested(100_000, 0));
+}
+
+#[test]
+fn declared_counts_take_no_memory() {
+    for count in ["4294967296", "18446744073709551615", "18446744073709551616"] {
+        error(&file("1 Xrotation", &format!("Frames: {count}\nFrame Time: 1\n0")));
+        error(&file("0", &format!("Frames: {count}\nFrame Time: 1\n")));
+        error(&file(&format!("{count} Xrotation"), "Frames: 0\nFrame Time: 1"));
+    }
+}
+
+#[test]
+fn long_lines_words_and_numbers_are_read_or_refused_in_little_time() {
+    let many = 1 << 18;
+    let numbers = "1 ".repeat(many);
+    let channels = format!("{many} {}", "Xrotation ".repeat(many));
+    let long = bvh::parse::<f64>(&file(&channels, &format!("Frames: 1\nFrame Time: 1\n{numbers}")));
+    assert_eq!(long.map(|file| file.channels(0).len()).ok(), Some(many));
+    for text in ["1".repeat(many), "{".repeat(many), "x".repeat(many), "\n".repeat(many), "}\r".repeat(many), numbers] {
+        for refused in [
+            text.clone(),
+            format!("HIERARCHY ROOT {text}"),
+            format!("HIERARCHY ROOT a {{ OFFSET {text}"),
+            file(&text, ""),
+            file("1 Xrotation", &format!("Frames: 1\nFrame Time: 1\n{text}")),
+        ] {
+            assert!(error(&refused).len() < 400);
+        }
+    }
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_refused_wherever_they_stand() {
+    for number in ["NaN", "inf", "-inf", "infinity", "1e999", "-1e999"] {
+        error(&file("1 Xrotation", &format!("Frames: 1\nFrame Time: 1\n{number}")));
+        error(&file("1 Xrotation", &format!("Frames: 1\nFrame Time: {number}\n0")));
+        error(&file("0", "Frames: 0\nFrame Time: 1").replace("OFFSET 0", &format!("OFFSET {number}")));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_bytes_are_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        let text = String::from_utf8_lossy(&bytes);
+        read(&text)?;
+        read(&file(&text, "Frames: 1\nFrame Time: 1\n0"))?;
+        read(&file("1 Xrotation", &text))?;
+    }
+}

@@ -1,11 +1,13 @@
 //! From kernels to proved programs: specify, factor or replay a recipe, prove.
 
 use crate::approximation::Precision;
+use crate::errors::{Errors, check_effort};
 use crate::factor::{self, FactorError, factor};
 use crate::kernel::{self, Definition, Hoist, Kernel, Specification, SpecificationError, split};
-use crate::lower::Errors;
+use crate::limits::{MAX_OPERATIONS, MAX_STEPS, STEPS_OF_AN_OPERATION};
 use crate::program::{Bound, CostModel, Count, Program, Recipe};
 use crate::proof::{Proof, Refutation, prove};
+use crate::symbolic::effort;
 
 /// Which part of a kernel a program is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,10 +65,16 @@ impl Compiled {
 /// # Errors
 /// The kernels without meaning, closed form or proof, combined.
 pub fn compile(definition: &Definition) -> syn::Result<Vec<Compiled>> {
+    effort::limited(MAX_STEPS, || compile_kernels(definition))
+}
+
+fn compile_kernels(definition: &Definition) -> syn::Result<Vec<Compiled>> {
     let mut errors = Errors::default();
     let mut compiled = Vec::new();
     for index in 0..definition.kernels.len() {
-        match compile_kernel(definition, index) {
+        let found = compile_kernel(definition, index);
+        check_effort(definition.kernels[index].expression.span)?;
+        match found {
             Ok(variants) => compiled.extend(variants),
             Err(error) => errors.absorb(error),
         }
@@ -137,6 +145,12 @@ fn compile_task(definition: &Definition, index: usize, task: Task) -> syn::Resul
         (None, None) => Found::Factored(factor(&specification, model)),
     };
     let (program, proof) = proved_program(kernel, &specification, found)?;
+    if program.operations.len() > MAX_OPERATIONS {
+        let message = format!("kernel `{}`: expected at most {MAX_OPERATIONS} operations, found more", kernel.name);
+        return Err(syn::Error::new(kernel.expression.span, message));
+    }
+    effort::spend(program.operations.len() * STEPS_OF_AN_OPERATION);
+    check_effort(kernel.expression.span)?;
     if let Some(number) = program.unnameable_number() {
         let message = format!("expected numbers whose numerator and denominator fit an i32, found {number}");
         return Err(at(kernel, message));

@@ -2,8 +2,9 @@
 
 use crate::compile::compile;
 use crate::emit;
+use crate::errors::Errors;
 use crate::kernel::{self, Definition};
-use crate::lower::{Errors, lower};
+use crate::lower::lower;
 use crate::syntax::parse;
 use proc_macro2::TokenStream;
 
@@ -50,6 +51,16 @@ use proc_macro2::TokenStream;
 /// - A kernel with `uniform` inputs, those that stay the same over many calls, is emitted in two parts as well: a function
 ///   from them to a struct, and one, linear in the other inputs, from the struct to the output.
 /// - A recipe is what a search left behind, a program row by row. Expansion replays and proves it instead of searching.
+///
+/// # Limits
+/// What is larger than this is refused at the token to blame, so that no block takes long, much memory or a deep stack. The
+/// presets are far below:
+/// - brackets nested 300 deep; 300 operators and parentheses around a part of an expression, or terms in a row;
+/// - 2048 items, those of presets included; 4096 parts of a list or rows of a recipe; 4096 input coefficients of a kernel;
+/// - 10000 operations of an emitted program;
+/// - 5 million steps for each of three stages, names and relations, kernels, entities: terms that are multiplied, added,
+///   rewritten or compared. Seconds, where nothing is optimised;
+/// - 100 errors that are reported, the first ones of a stage.
 ///
 /// # What comes out
 /// A struct for every entity, with what its components and relations allow (a linear type adds, a type with a 1 has an

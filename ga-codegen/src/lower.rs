@@ -6,34 +6,15 @@ mod recipe;
 
 use crate::algebra::{Basis, Signature};
 use crate::approximation::Precision;
+use crate::errors::{Errors, check_effort};
 use crate::kernel::{Analytic, Component, ComponentValue, Definition, Entity, Hoist, Kernel, Parameter, Statement};
+use crate::limits::MAX_STEPS;
 use crate::program::{CostModel, Recipe};
-use crate::symbolic::{Rational, Relation, Relations, RelationsError, Symbol};
+use crate::symbolic::{Rational, Relation, Relations, RelationsError, Symbol, effort};
 use crate::syntax::{Item, Name, RawComponent, RawKernel, RawParameter, RawRelation};
 use expression::Scope;
 use proc_macro2::{Span, TokenStream};
 use std::collections::BTreeMap;
-
-/// Errors so far.
-#[derive(Default)]
-pub(crate) struct Errors(Option<syn::Error>);
-
-impl Errors {
-    pub(crate) fn push(&mut self, span: Span, message: impl std::fmt::Display) {
-        self.absorb(syn::Error::new(span, message));
-    }
-
-    pub(crate) fn absorb(&mut self, error: syn::Error) {
-        match &mut self.0 {
-            Some(errors) => errors.combine(error),
-            None => self.0 = Some(error),
-        }
-    }
-
-    pub(crate) fn into_result<T>(self, value: T) -> syn::Result<T> {
-        self.0.map_or(Ok(value), Err)
-    }
-}
 
 /// Names that emitted code has for something else: the traits that it implements or asks for, the types of coefficients,
 /// its modules.
@@ -45,6 +26,10 @@ const RESERVED: [&str; 11] =
 /// # Errors
 /// Everything that is wrong with names, arities and relations, combined.
 pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
+    effort::limited(MAX_STEPS, || lower_items(items))
+}
+
+fn lower_items(items: &[Item]) -> syn::Result<Definition> {
     let basis = lower_basis(items)?;
     let mut errors = Errors::default();
     let mut definition = Definition {
@@ -67,6 +52,7 @@ pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
                         .push(name.span, format!("expected entities with distinct names, found `{}` twice", name.text));
                 }
                 let entity = lower_entity(&definition.basis, docs, name, components, relations, &mut errors);
+                check_effort(name.span)?;
                 definition.entities.push(entity);
             }
             Item::Scalar { path } => definition.scalar_path = Some(path.clone()),
@@ -83,6 +69,7 @@ pub(crate) fn lower(items: &[Item]) -> syn::Result<Definition> {
         if let Some(kernel) = lower_kernel(&definition, raw, &mut errors) {
             definition.kernels.push(kernel);
         }
+        check_effort(raw.name.span)?;
     }
     check_parts(&definition, &mut errors);
     for item in items {

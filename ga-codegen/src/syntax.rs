@@ -10,7 +10,9 @@ use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseBuffer, ParseStream, Parser};
 use syn::{LitInt, LitStr, Token, bracketed, parenthesized};
 
+use crate::errors::Errors;
 use crate::kernel::Operator;
+use crate::limits::{MAX_DEPTH, MAX_ITEMS, MAX_LISTED};
 use crate::preset;
 
 /// A name and where it stands.
@@ -101,20 +103,45 @@ const KEYWORDS: &str = "`signature`, `basis`, `entity`, `kernel`, `preset`, `sca
 /// Parses a block into items.
 ///
 /// # Errors
-/// Every item that does not parse, combined.
+/// Every item that does not parse, combined; brackets that are nested too deep, or too many items.
 pub(crate) fn parse(tokens: TokenStream) -> syn::Result<Vec<Item>> {
+    check_nesting(&tokens)?;
     let mut items = Vec::new();
-    let mut errors: Option<syn::Error> = None;
+    let mut errors = Errors::default();
     for chunk in chunks(tokens) {
+        let span = chunk.first().map_or_else(Span::call_site, TokenTree::span);
         match parse_item(chunk) {
             Ok(parsed) => items.extend(parsed),
-            Err(error) => match &mut errors {
-                Some(errors) => errors.combine(error),
-                None => errors = Some(error),
-            },
+            Err(error) => errors.absorb(error),
+        }
+        if items.len() > MAX_ITEMS {
+            return Err(syn::Error::new(span, format!("expected at most {MAX_ITEMS} items in a block, found more")));
         }
     }
-    errors.map_or(Ok(items), Err)
+    errors.into_result(items)
+}
+
+/// Checks how deep brackets are nested, on a stack of its own: the parser recurses into them.
+fn check_nesting(tokens: &TokenStream) -> syn::Result<()> {
+    let mut open = vec![tokens.clone().into_iter()];
+    while let Some(innermost) = open.last_mut() {
+        match innermost.next() {
+            Some(TokenTree::Group(group)) if open.len() > MAX_DEPTH => {
+                let message = format!("expected brackets nested at most {MAX_DEPTH} deep, found deeper ones");
+                return Err(syn::Error::new(group.span_open(), message));
+            }
+            Some(TokenTree::Group(group)) => open.push(group.stream().into_iter()),
+            Some(_) => {}
+            None => drop(open.pop()),
+        }
+    }
+    Ok(())
+}
+
+/// Checks the length of a list after a part has been added.
+fn check_length(input: ParseStream, length: usize) -> syn::Result<()> {
+    let message = || format!("expected at most {MAX_LISTED} parts of a list, found more");
+    if length > MAX_LISTED { Err(syn::Error::new(input.span(), message())) } else { Ok(()) }
 }
 
 /// Parses an item. One that lacks its `;` is parsed as if it had it, to see whether that is all it lacks.
@@ -182,6 +209,7 @@ fn comma_separated<T>(input: ParseStream, parse: impl Fn(ParseStream) -> syn::Re
     let mut parsed = Vec::new();
     while !input.is_empty() {
         parsed.push(parse(input)?);
+        check_length(input, parsed.len())?;
         if !input.is_empty() {
             token::<Token![,]>(input, "`,`")?;
         }
@@ -303,6 +331,7 @@ fn basis(span: Span, input: ParseStream) -> syn::Result<Item> {
             name.clone()
         };
         blades.push((name, word));
+        check_length(input, blades.len())?;
     }
     Ok(Item::Basis { span, blades })
 }
@@ -351,6 +380,7 @@ fn relations(input: ParseStream) -> syn::Result<Vec<RawRelation>> {
         let left = expression(input)?;
         token::<Token![==]>(input, "`==`")?;
         relations.push(RawRelation { left, right: expression(input)?, span });
+        check_length(input, relations.len())?;
         if !input.peek(Token![,]) {
             return Ok(relations);
         }
@@ -432,6 +462,7 @@ fn names(input: ParseStream, expected: &str) -> syn::Result<Vec<Name>> {
     while input.peek(Token![,]) {
         input.parse::<Token![,]>()?;
         names.push(name(input, expected)?);
+        check_length(input, names.len())?;
     }
     Ok(names)
 }
@@ -460,15 +491,11 @@ fn recipe(input: ParseStream) -> syn::Result<Item> {
         }
         token::<Token![=]>(&content, "`=`")?;
         rows.push(RawRow { name: row, value: expression(&content)? });
+        check_length(&content, rows.len())?;
         token::<Token![;]>(&content, "`;`")?;
     }
     Ok(Item::Recipe { kernel, model, rows })
 }
-
-/// How many operators and parentheses may be around a part of an expression (a call counts for three), and how many terms
-/// may stand in a row: what comes later walks the expression recursively. The norm of an element of the largest algebra
-/// has 256 terms.
-const MAX_DEPTH: usize = 300;
 
 fn expression(input: ParseStream) -> syn::Result<RawExpression> {
     binary(input, 0, 0)

@@ -661,9 +661,18 @@ fn expressions_that_do_not_parse_are_reported_at_the_token() {
 fn an_expression_that_is_nested_too_deep_is_refused_before_the_stack_ends() {
     let block =
         |expression: &str| format!("signature (1, 0, 0);\nentity X {{ e1 }}\nkernel f(a: X) -> X =\n{expression};");
-    let message = "expected an expression nested at most 300 deep, found a deeper one";
-    // Brackets are nested in the token stream already, which ends Rust's own stack before any of ours.
-    for (open, close, depth) in [("-", "", 20_000), ("a+", "", 20_000), ("(", ")", 400), ("dual(", ")", 400)] {
+    let (expression, brackets) = (
+        "expected an expression nested at most 300 deep, found a deeper one",
+        "expected brackets nested at most 300 deep, found deeper ones",
+    );
+    for (open, close, depth, message) in [
+        ("-", "", 20_000, expression),
+        ("a+", "", 20_000, expression),
+        ("-(", ")", 200, expression),
+        ("dual(", ")", 200, expression),
+        ("(", ")", 400, brackets),
+        ("dual(", ")", 400, brackets),
+    ] {
         let deep = errors(&block(&format!("{}a{}", open.repeat(depth), close.repeat(depth))));
         assert!(deep.len() == 1 && deep[0].starts_with("4:") && deep[0].ends_with(message), "{open} {deep:?}");
     }
@@ -898,4 +907,194 @@ fn names_that_two_programs_would_have_are_refused() {
         &block("kernel f(uniform a: Vector, b: Vector) -> Vector = b hoist Dual, make, take;"),
         &["3:60: kernel `f`: expected an output that depends on the uniform inputs, found none"],
     );
+}
+
+// Blocks that are too large.
+
+/// A block of one kernel over a type of all blades of an algebra.
+fn over_all_blades(dimension: u32, kernel: &str) -> String {
+    let word = |blade: u32| -> String {
+        (1..=dimension).filter(|i| blade >> (i - 1) & 1 == 1).map(|i| i.to_string()).collect()
+    };
+    let blades: Vec<_> = (1..1_u32 << dimension).map(|blade| format!("e{}", word(blade))).collect();
+    format!("signature ({dimension}, 0, 0); entity M {{ s: 1, {} }} {kernel}", blades.join(", "))
+}
+
+/// A block of one kernel over vectors in space.
+fn over_vectors(definition: &str) -> String {
+    format!("signature (3, 0, 0); entity V {{ e1, e2, e3 }} kernel f(a: V) -> V = {definition};")
+}
+
+/// The first error of a block, found on a stack of 2 MiB.
+fn first_error(block: &str) -> Option<String> {
+    let block = block.to_owned();
+    let small_stack = std::thread::Builder::new().stack_size(2 << 20);
+    let found = small_stack.spawn(move || errors(&block).into_iter().next()).expect("a thread");
+    found.join().expect("no panic")
+}
+
+#[track_caller]
+fn assert_refused(block: &str, message: &str) {
+    let found = first_error(block).expect("an error");
+    assert!(found.ends_with(message), "{}", &found[..found.len().min(300)]);
+}
+
+const TOO_MANY_STEPS: &str = "expected a block that expands in at most 5000000 steps, found more up to here";
+
+#[test]
+fn brackets_nested_too_deep_are_refused_wherever_they_stand() {
+    let message = "expected brackets nested at most 300 deep, found deeper ones";
+    let nested = |count: usize| format!("{}a{}", "(".repeat(count), ")".repeat(count));
+    for count in [301, 100_000] {
+        assert_refused(&over_vectors(&nested(count)), message);
+        assert_refused(&format!("scalar {};", nested(count)), message);
+        assert_refused(&format!("entity V {{ {} }}", nested(count)), message);
+        assert_refused(&nested(count), message);
+    }
+    assert_eq!(first_error(&over_vectors(&nested(299))), None);
+}
+
+#[test]
+fn expressions_as_deep_and_as_long_as_they_may_be_expand_on_a_small_stack() {
+    let deepest = [
+        format!("{}a", "-".repeat(299)),
+        format!("{}a", "~".repeat(299)),
+        vec!["a"; 300].join(" + "),
+        format!("{}a{}", "dual(undual(".repeat(49), "))".repeat(49)),
+    ];
+    for definition in deepest {
+        assert_eq!(first_error(&over_vectors(&definition)), None, "{definition}");
+    }
+    for definition in [format!("{}a", "-".repeat(100_000)), vec!["a"; 1000].join(" * "), vec!["a"; 100_000].join(" + ")]
+    {
+        assert_refused(
+            &over_vectors(&definition),
+            "expected an expression nested at most 300 deep, found a deeper one",
+        );
+    }
+}
+
+#[test]
+fn recipes_of_many_rows_are_emitted_on_a_small_stack() {
+    let rows: String = (0..4000).map(|row| format!("t{} = t{row} + a.e1 - a.e1; ", row + 1)).collect();
+    let recipe = format!("recipe f flops {{ t0 = a.e1 * a.e1 + a.e2 * a.e2; {rows} out = t4000; }}");
+    let block = "signature (2, 0, 0); entity V { e1, e2 } kernel f(a: V) -> Scalar = a | a;";
+    assert_eq!(first_error(&format!("{block} {recipe}")), None);
+}
+
+#[test]
+fn products_that_expand_to_too_much_are_refused_at_the_kernel() {
+    assert_refused(&over_all_blades(8, "kernel f(a: M, b: M, c: M) -> M = a * b * c;"), TOO_MANY_STEPS);
+    assert_refused(&over_all_blades(8, "kernel f(a: M) -> M = normalize(a);"), TOO_MANY_STEPS);
+    assert_refused(&over_vectors(&vec!["a"; 299].join(" * ")), TOO_MANY_STEPS);
+}
+
+#[test]
+fn relations_that_grow_or_clash_without_end_are_refused_at_the_entity() {
+    let power = |i: usize| format!("e{i} == {}", vec![format!("e{}", i + 1); 6].join(" * "));
+    let relations: Vec<_> = (1..8).map(power).collect();
+    let block = format!(
+        "signature (8, 0, 0); entity V {{ e1, e2, e3, e4, e5, e6, e7, e8 }} where {}; \
+         kernel f(a: V) -> Scalar = a | a;",
+        relations.join(", ")
+    );
+    assert_refused(&block, TOO_MANY_STEPS);
+}
+
+#[test]
+fn recipes_that_square_again_and_again_are_refused() {
+    let squares = |first: &str, count: usize| -> String {
+        let rows: String = (0..count).map(|row| format!("t{} = t{row} * t{row}; ", row + 1)).collect();
+        format!(
+            "signature (2, 0, 0); entity V {{ e1, e2 }} kernel f(a: V) -> Scalar = a | a; \
+             recipe f flops {{ t0 = {first}; {rows} out = a.e1 * a.e1 + a.e2 * a.e2 + t{count}; }}"
+        )
+    };
+    assert_refused(&squares("a.e1", 60), TOO_MANY_STEPS);
+    assert!(first_error(&squares("a.e1 + a.e2", 60)).is_some());
+    // What cancels in the proof does not in the bound of rounding errors, which counts terms as well or knows none.
+    first_error(&squares("(a.e1 + a.e2) - (a.e1 + a.e2)", 12));
+}
+
+#[test]
+fn too_many_items_and_too_long_lists_are_refused() {
+    let items = "expected at most 2048 items in a block, found more";
+    let entities: String = (0..5000).map(|i| format!("entity V{i} {{ e1, e2 }} ")).collect();
+    assert_refused(&format!("signature (2, 0, 0); {entities}"), items);
+    assert_refused(&"preset pga3d; ".repeat(100), items);
+    let lists = "expected at most 4096 parts of a list, found more";
+    let many = |part: &str| vec![part; 20_000].join(", ");
+    assert_refused(&format!("signature (2, 0, 0); entity V {{ {} }}", many("x: e1")), lists);
+    assert_refused(&format!("signature (2, 0, 0); entity V {{ e1 }} where {};", many("e1 == 1")), lists);
+    assert_refused(&format!("kernel f({}) -> V = a;", many("a: V")), lists);
+    assert_refused(&format!("basis {};", "e1 ".repeat(20_000)), lists);
+}
+
+#[test]
+fn no_more_than_a_hundred_errors_are_reported() {
+    let kernels: String = (0..500).map(|i| format!("kernel f{i}(a: W) -> W = a; ")).collect();
+    assert_eq!(errors(&format!("signature (2, 0, 0); {kernels}")).len(), 100);
+    assert_eq!(errors(&"nonsense; ".repeat(500)).len(), 100);
+}
+
+#[test]
+fn large_powers_of_two_never_wrap() {
+    let two_62 = "4611686018427387904";
+    let block = format!("signature (2, 0, 0); kernel f() -> Scalar = {two_62} * {two_62};");
+    assert!(
+        first_error(&block).expect("too large").contains("expected numbers whose numerator and denominator fit an i32")
+    );
+}
+
+/// Expressions of every operator and function, with numbers of any size.
+fn any_expression() -> impl Strategy<Value = String> {
+    let leaf = prop::sample::select(vec!["a", "b", "k", "e1", "e12", "e0", "2", "0", "9223372036854775807", "c"]);
+    leaf.prop_map(str::to_owned).prop_recursive(5, 24, 2, |inner| {
+        let binary = prop::sample::select(vec!["+", "-", "*", ">>", "&", "^", "|", "/"]);
+        let two =
+            prop::sample::select(vec!["commutator", "scalar_product", "left_contraction", "anticommutator", "dual"]);
+        let one = prop::sample::select(vec![
+            "dual",
+            "undual",
+            "grade_involution",
+            "exp",
+            "log",
+            "normalize",
+            "sqrt",
+            "-",
+            "~",
+        ]);
+        prop_oneof![
+            4 => (inner.clone(), binary, inner.clone()).prop_map(|(a, operator, b)| format!("({a} {operator} {b})")),
+            1 => (two, inner.clone(), inner.clone()).prop_map(|(name, a, b)| format!("{name}({a}, {b})")),
+            2 => (one, inner.clone()).prop_map(|(name, a)| format!("{name}({a})")),
+            1 => (inner, 0..10_u32).prop_map(|(a, grade)| format!("grade({a}, {grade})")),
+        ]
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_definition_expands_or_is_refused(
+        signature in prop::sample::select(vec!["2, 0, 0", "2, 0, 1", "1, 1, 1", "0, 3, 0"]),
+        expression in any_expression(),
+        relation in any_expression(),
+        related in any::<bool>(),
+        output in prop::sample::select(vec!["A", "B", "Scalar"]),
+        function in prop::sample::select(vec!["", "exp", "log", "normalize", "sqrt"]),
+    ) {
+        let promise = if related { format!(" where e1*e1 == {relation};") } else { String::new() };
+        let block = format!(
+            "signature ({signature}); entity A {{ e1, e2 }}{promise} entity B {{ s: 1, e12 }} \
+             kernel f(a: A, b: B, k: Scalar) -> {output} = {function}({expression});"
+        );
+        if let Err(found) = ga_codegen::expand(block.parse().expect("tokens")) {
+            for error in found {
+                let message = error.to_string();
+                prop_assert!(message.starts_with("expected ") || message.starts_with("kernel `"), "{}: {}", block, message);
+            }
+        }
+    }
 }

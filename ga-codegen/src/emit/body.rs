@@ -1,6 +1,7 @@
 //! Straight-line code from a program: a `let` for what is used more than once, expressions for the rest.
 
 use super::{ident, polynomial};
+use crate::limits::MAX_DEPTH;
 use crate::program::{Operation, Program, Value};
 use crate::symbolic::Rational;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
@@ -32,6 +33,8 @@ struct Writer<'a> {
     doubled: Vec<bool>,
     names: BTreeMap<Value, Ident>,
     temporaries: usize,
+    /// How many operations deep the expression of a value is.
+    depths: Vec<usize>,
     statements: TokenStream,
 }
 
@@ -55,8 +58,20 @@ pub(super) fn body(
     }
     let constants = constants(program, span)?;
     let (names, statements) = (BTreeMap::new(), TokenStream::new());
-    let mut writer =
-        Writer { program, inputs, constants, reserved, meanings, uses, doubled, names, temporaries: 0, statements };
+    let depths = vec![0; program.operations.len()];
+    let mut writer = Writer {
+        program,
+        inputs,
+        constants,
+        reserved,
+        meanings,
+        uses,
+        doubled,
+        names,
+        temporaries: 0,
+        depths,
+        statements,
+    };
     for value in 0..program.operations.len() {
         writer.name_if_needed(value);
     }
@@ -92,9 +107,10 @@ fn number(number: Rational, span: Span) -> syn::Result<TokenStream> {
 }
 
 impl Writer<'_> {
-    /// Gives a name to what is used twice or doubled, and to what reads better with one.
+    /// Gives a name to what is used twice, doubled or very long, and to what reads better with one.
     fn name_if_needed(&mut self, value: Value) {
         let operation = self.program.operations[value];
+        self.depths[value] = self.depth(value);
         let name = match operation {
             Operation::Input(_) | Operation::Constant(_) => return,
             Operation::Sin(angle) | Operation::Cos(angle) => return self.sine_and_cosine(angle),
@@ -109,18 +125,27 @@ impl Writer<'_> {
             Operation::Mul(a, b) if self.uses[value] > 1 && self.is_inverse(b) && self.is_input(a) => {
                 self.fresh(&format!("unit_{}", self.word(a)))
             }
-            _ if self.uses[value] > 1 || self.doubled[value] => match self.meanings.get(&value) {
-                Some(meaning) => self.fresh(meaning),
-                None => {
-                    self.temporaries += 1;
-                    self.fresh(&format!("t{}", self.temporaries - 1))
+            _ if self.uses[value] > 1 || self.doubled[value] || self.depths[value] > MAX_DEPTH => {
+                match self.meanings.get(&value) {
+                    Some(meaning) => self.fresh(meaning),
+                    None => {
+                        self.temporaries += 1;
+                        self.fresh(&format!("t{}", self.temporaries - 1))
+                    }
                 }
-            },
+            }
             _ => return,
         };
         let expression = self.expression(value);
         self.statements.extend(quote!(let #name = #expression;));
         self.names.insert(value, name);
+    }
+
+    /// How many operations deep the expression of a value is, what has a name left out.
+    fn depth(&self, value: Value) -> usize {
+        let operands = self.program.operations[value].operands();
+        let unnamed = operands.filter(|operand| !self.names.contains_key(operand));
+        1 + unnamed.map(|operand| self.depths[operand]).max().unwrap_or(0)
     }
 
     /// Whether the value is what a polynomial is evaluated at.

@@ -10,7 +10,10 @@ mod polynomial;
 mod scalar;
 
 use crate::compile::Compiled;
+use crate::errors::check_effort;
 use crate::kernel::{Definition, Entity};
+use crate::limits::MAX_STEPS;
+use crate::symbolic::effort;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
@@ -20,12 +23,20 @@ use quote::quote;
 /// # Errors
 /// A constant that no emitted program can hold.
 pub fn rust(definition: &Definition, compiled: &[Compiled]) -> syn::Result<TokenStream> {
+    effort::limited(MAX_STEPS, || emit(definition, compiled))
+}
+
+fn emit(definition: &Definition, compiled: &[Compiled]) -> syn::Result<TokenStream> {
     let scalar = scalar::module(definition);
     let entities: Vec<_> = definition
         .entities
         .iter()
         .filter(|entity| !entity.is_scalar())
-        .map(|entity| entity::entity(entity, definition.basis.signature()))
+        .map(|entity| {
+            let emitted = entity::entity(entity, definition.basis.signature());
+            check_effort(entity.span)?;
+            emitted
+        })
         .collect::<syn::Result<_>>()?;
     let functions = kernels(definition, compiled, None)?;
     let operators = operators::operators(definition);

@@ -84,13 +84,19 @@ impl Cubes {
         divides.then(|| self.cube(rest))
     }
 
+    /// How many ways to write a cube as a product of two are tried.
+    pub(super) fn split_count(&self, cube: Cube) -> usize {
+        let degree = self.degree(cube);
+        if degree > SPLIT_DEGREE { 1 } else { 1 << degree }
+    }
+
     /// Every way to write a cube as a product of two, each once.
     pub(super) fn splits(&mut self, cube: Cube) -> Vec<(Cube, Cube)> {
         if let Some(splits) = &self.splits[cube as usize] {
             return splits.clone();
         }
         let literals = self.literals(cube).to_vec();
-        let masks = if literals.len() > SPLIT_DEGREE { 1 } else { 1u32 << literals.len() };
+        let masks = self.split_count(cube);
         let mut splits = Vec::new();
         for mask in 0..masks {
             let (mut part, mut rest) = (Vec::new(), Vec::new());

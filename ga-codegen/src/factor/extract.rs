@@ -6,6 +6,7 @@
 
 use super::cube::{Cube, Cubes};
 use super::system::{Meaning, Row, System, sign_in};
+use crate::symbolic::effort;
 use std::cmp::Reverse;
 use std::collections::HashSet;
 
@@ -81,7 +82,7 @@ pub(super) fn greedy(system: System) -> System {
 pub(super) fn extract(mut system: System, chooser: &mut impl Chooser) -> System {
     loop {
         let mut wanted = candidates(&mut system, chooser);
-        match chooser.choose() {
+        match chooser.choose().filter(|_| !effort::is_exhausted()) {
             Some(chosen) => apply(&mut system, wanted.swap_remove(chosen)),
             None => {
                 system.normalise_signs();
@@ -122,6 +123,9 @@ fn quotients(system: &mut System) -> Vec<Quotient> {
     for (row, terms) in system.rows.iter().enumerate() {
         let mut parts: Vec<(Cube, Cube, bool)> = Vec::new();
         for &(cube, minus) in terms {
+            if !effort::spend(system.cubes.split_count(cube)) {
+                return quotients;
+            }
             parts.extend(system.cubes.splits(cube).into_iter().map(|(part, rest)| (part, rest, minus)));
         }
         parts.sort_unstable();
@@ -152,6 +156,9 @@ fn divisors(quotients: &[Quotient], by_cube: &[Vec<usize>]) -> Vec<Divisor> {
         }
         for &(cube, _) in &quotient.rest {
             for &partner in by_cube[cube as usize].iter().rev().take_while(|&&partner| partner > index) {
+                if !effort::spend(1) {
+                    return found;
+                }
                 if shared[partner] == 0 {
                     partners.push(partner);
                 }
@@ -160,6 +167,7 @@ fn divisors(quotients: &[Quotient], by_cube: &[Vec<usize>]) -> Vec<Divisor> {
         }
         for partner in partners.drain(..) {
             if std::mem::take(&mut shared[partner]) > 1 {
+                effort::spend(quotient.rest.len() + quotients[partner].rest.len());
                 let (same, opposite) = intersection(&quotient.rest, &quotients[partner].rest);
                 [same, opposite].into_iter().filter(|terms| terms.len() > 1).for_each(&mut add);
             }
@@ -192,6 +200,9 @@ fn occurrences(
     let mut places: Vec<Occurrence> = Vec::new();
     for &index in &by_cube[divisor[0].0 as usize] {
         let quotient = &quotients[index];
+        if !effort::spend(divisor.len()) {
+            break;
+        }
         if quotient.rest.len() >= divisor.len()
             && let Some(first) = sign_in(&quotient.rest, divisor[0].0)
             && divisor.iter().all(|&(cube, minus)| sign_in(&quotient.rest, cube) == Some(minus != first))
@@ -204,6 +215,7 @@ fn occurrences(
     places.retain(|&(row, cokernel, _)| {
         let before = used.len();
         for &(cube, _) in divisor {
+            effort::spend(used.len());
             let term = (row, cubes.product(cokernel, cube));
             if used.contains(&term) {
                 used.truncate(before);
@@ -233,6 +245,9 @@ fn common_cubes(system: &mut System) -> Vec<(Cube, usize)> {
     let terms: Vec<Cube> = system.rows.iter().flatten().map(|&(cube, _)| cube).collect();
     let mut parts: Vec<(Cube, Cube)> = Vec::new();
     for &term in &terms {
+        if !effort::spend(system.cubes.split_count(term)) {
+            break;
+        }
         let splits = system.cubes.splits(term);
         parts.extend(splits.into_iter().map(|(part, _)| (part, term)));
     }

@@ -2,7 +2,7 @@
 
 use super::cube::{Cube, Cubes, Literal};
 use crate::program::{CostModel, Operation, Program, ProgramBuilder, Value};
-use crate::symbolic::{Overflow, Polynomial, Rational};
+use crate::symbolic::{Overflow, Polynomial, Rational, effort};
 
 /// A sum of distinct cubes, ascending; `true` marks a minus.
 pub(super) type Row = Vec<(Cube, bool)>;
@@ -18,6 +18,9 @@ pub(super) enum Meaning {
     /// What has been extracted as a row of its own.
     Row(usize),
 }
+
+/// The largest power of two that is written as one number; a larger one is doubled.
+const LARGEST_POWER: u32 = 62;
 
 /// Output rows first, then extracted ones.
 #[derive(Clone, Debug)]
@@ -71,6 +74,7 @@ impl System {
 
     /// The literal of a meaning, new if need be.
     pub(super) fn literal(&mut self, meaning: Meaning) -> Literal {
+        effort::spend(self.meanings.len() / 64);
         let known = self.meanings.iter().position(|other| *other == meaning);
         known.unwrap_or_else(|| {
             self.meanings.push(meaning);
@@ -198,8 +202,8 @@ impl System {
             product = Some(product.map_or(factor, |product| builder.push(Operation::Mul(product, factor))));
         }
         let mut value = product.unwrap_or_else(|| {
-            let number = Rational::integer(1 << doublings);
-            doublings = 0;
+            let number = Rational::integer(1 << doublings.min(LARGEST_POWER));
+            doublings = doublings.saturating_sub(LARGEST_POWER);
             builder.push(Operation::Constant(number))
         });
         for _ in 0..doublings {

@@ -2,6 +2,7 @@
 
 use super::{Component, ComponentValue, Definition, Entity, Expression, Kernel, Projection};
 use crate::algebra::{Basis, Blade, Product, Signature};
+use crate::limits::MAX_COEFFICIENTS;
 use crate::symbolic::{
     Monomial, Multivector, Overflow, Polynomial, Rational, Relation, Relations, RelationsError, Symbol,
 };
@@ -120,7 +121,7 @@ impl fmt::Display for SpecificationError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Overflow => Overflow.fmt(f),
-            Self::TooLarge => write!(f, "expected at most {MAX_SYMBOLS} input coefficients, found more"),
+            Self::TooLarge => write!(f, "expected at most {MAX_COEFFICIENTS} input coefficients, found more"),
             Self::Relations(_) => f.write_str("expected relations with a confluent normal form, found none"),
             Self::CannotHold(blade, value) => {
                 write!(f, "expected an output that can hold `{blade}`, found none: its coefficient is {value}")
@@ -166,8 +167,6 @@ impl fmt::Display for SpecificationError {
 
 impl std::error::Error for SpecificationError {}
 
-const MAX_SYMBOLS: usize = 4096;
-
 /// Inputs of given types with every free coefficient a symbol of its own.
 struct Instance {
     coefficients: Vec<Coefficient>,
@@ -192,7 +191,7 @@ impl Instance {
                 name: if field.is_empty() { name.to_owned() } else { format!("{name}.{field}") },
                 degree: degree(component),
             }));
-            if instance.coefficients.len() > MAX_SYMBOLS {
+            if instance.coefficients.len() > MAX_COEFFICIENTS {
                 return Err(SpecificationError::TooLarge);
             }
         }

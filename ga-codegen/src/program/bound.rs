@@ -7,7 +7,7 @@ mod weighted;
 use super::{Operation, Program};
 use crate::algebra::Signature;
 use crate::kernel::{Entity, Specification};
-use crate::symbolic::{Monomial, Polynomial, Rational, Symbol};
+use crate::symbolic::{Monomial, Polynomial, Rational, Symbol, effort};
 use packing::Packing;
 use std::collections::BTreeMap;
 use weighted::Weighted;
@@ -213,6 +213,8 @@ fn weigh(packing: &Packing, program: &Program) -> Option<Vec<Weighted>> {
         let value = match *operation {
             Operation::Input(index) => Weighted::input(packing, index),
             Operation::Constant(number) => Weighted::constant(number.abs().to_f64(), constant_roundings(number)),
+            // Nothing cancels here, so there may be far more terms than in the proof.
+            _ if !effort::spend(expected_terms(operation, &values)) => return None,
             Operation::Add(a, b) | Operation::Sub(a, b) => values[a].plus(&values[b]).rounded(),
             Operation::Mul(a, b) if is_power_of_two(a) || is_power_of_two(b) => values[a].times(&values[b]),
             Operation::Mul(a, b) => values[a].times(&values[b]).rounded(),
@@ -223,6 +225,18 @@ fn weigh(packing: &Packing, program: &Program) -> Option<Vec<Weighted>> {
         values.push(value);
     }
     Some(values)
+}
+
+/// At most how many terms an operation handles.
+fn expected_terms(operation: &Operation, values: &[Weighted]) -> usize {
+    let count = |value: usize| values[value].terms.len();
+    match *operation {
+        Operation::Add(a, b) | Operation::Sub(a, b) => count(a) + count(b),
+        // A sum of as many products as the shorter has terms, in each step as long as it is by then.
+        Operation::Mul(a, b) => count(a) * count(b) * count(a).min(count(b)).div_ceil(2),
+        Operation::Neg(a) | Operation::Double(a) => count(a),
+        _ => 1,
+    }
 }
 
 /// The roundings of a constant, which is computed as a quotient of two whole numbers.

@@ -1,6 +1,7 @@
 //! Exact polynomials over named coefficients, multivectors of them, what a type's relations make equal, and truncated
 //! power series. Every operation is checked: overflow is an error, never a wrap.
 
+pub(crate) mod effort;
 mod multivector;
 mod polynomial;
 mod rational;

@@ -1,6 +1,6 @@
 //! Multivectors whose coefficients are polynomials.
 
-use super::{Overflow, Polynomial, Rational};
+use super::{Monomial, Overflow, Polynomial, Rational, effort};
 use crate::algebra::{Basis, Blade, Product, Sign};
 use std::collections::BTreeMap;
 
@@ -54,12 +54,11 @@ impl Multivector {
     }
 
     fn add_term(&mut self, blade: Blade, sign: Sign, coefficient: &Polynomial) -> Result<(), Overflow> {
-        let old = self.coefficient(blade);
-        let new = if sign.is_minus() { old.sub(coefficient)? } else { old.add(coefficient)? };
-        if new.is_zero() {
+        let factor = if sign.is_minus() { Rational::MINUS_ONE } else { Rational::ONE };
+        let sum = self.0.entry(blade).or_default();
+        sum.add_multiple(factor, &Monomial::default(), coefficient)?;
+        if sum.is_zero() {
             self.0.remove(&blade);
-        } else {
-            self.0.insert(blade, new);
         }
         Ok(())
     }
@@ -105,6 +104,9 @@ impl Multivector {
         let mut result = Self::zero();
         for (a, coefficient_a) in self.terms() {
             for (b, coefficient_b) in other.terms() {
+                if !effort::spend(1) {
+                    return Err(Overflow);
+                }
                 if let Some((sign, blade)) = product.of_blades(basis, a, b) {
                     result.add_term(blade, sign, &coefficient_a.mul(coefficient_b)?)?;
                 }

@@ -1,5 +1,6 @@
 //! Polynomials with rational coefficients, expanded: a sum of distinct monomials.
 
+use super::effort;
 use super::rational::{Overflow, Rational};
 use crate::algebra::Sign;
 use std::collections::BTreeMap;
@@ -153,6 +154,9 @@ impl Polynomial {
         if coefficient.is_zero() {
             return Ok(());
         }
+        if !effort::spend(1) {
+            return Err(Overflow);
+        }
         match self.0.entry(monomial) {
             Entry::Vacant(vacant) => {
                 vacant.insert(coefficient);
@@ -175,6 +179,10 @@ impl Polynomial {
     /// [`Overflow`]
     pub fn add_multiple(&mut self, factor: Rational, monomial: &Monomial, other: &Self) -> Result<(), Overflow> {
         for (other_monomial, coefficient) in other.terms() {
+            // Counted before memory is taken: degrees can double as well as numbers of terms.
+            if !effort::spend(1 + (other_monomial.degree() + monomial.degree()) / 8) {
+                return Err(Overflow);
+            }
             self.add_term(other_monomial.times(monomial), coefficient.checked_mul(factor)?)?;
         }
         Ok(())
@@ -190,6 +198,7 @@ impl Polynomial {
     /// # Errors
     /// [`Overflow`]
     pub fn add(&self, other: &Self) -> Result<Self, Overflow> {
+        effort::spend(self.0.len());
         let mut sum = self.clone();
         sum.add_multiple(Rational::ONE, &Monomial::default(), other)?;
         Ok(sum)
@@ -200,6 +209,7 @@ impl Polynomial {
     /// # Errors
     /// [`Overflow`]
     pub fn sub(&self, other: &Self) -> Result<Self, Overflow> {
+        effort::spend(self.0.len());
         let mut difference = self.clone();
         difference.add_multiple(Rational::MINUS_ONE, &Monomial::default(), other)?;
         Ok(difference)
@@ -219,6 +229,7 @@ impl Polynomial {
 
     /// The negative.
     pub fn neg(&self) -> Self {
+        effort::spend(self.0.len());
         Self(self.0.iter().map(|(monomial, coefficient)| (monomial.clone(), coefficient.neg())).collect())
     }
 

@@ -10,6 +10,7 @@
 //! Hence a difference with normal form 0 vanishes on every value that satisfies the relations, and no other polynomial
 //! of their ideal is missed.
 
+use super::effort;
 use super::polynomial::{Monomial, Polynomial, Symbol};
 use super::rational::{Overflow, Rational};
 
@@ -116,6 +117,9 @@ impl Relations {
     fn check_confluence(&self) -> Result<(), RelationsError> {
         for (j, second) in self.0.iter().enumerate() {
             for (i, first) in self.0[..j].iter().enumerate() {
+                if !effort::spend(1) {
+                    return Err(RelationsError::Overflow);
+                }
                 let common = first.leading.least_common_multiple(&second.leading);
                 if common.degree() == first.leading.degree() + second.leading.degree() {
                     continue; // Coprime leading monomials: Buchberger's first criterion.
@@ -140,6 +144,9 @@ impl Relations {
         }
         let (mut pending, mut reduced) = (polynomial.clone(), Polynomial::zero());
         while let Some((monomial, coefficient)) = pending.pop() {
+            if !effort::spend(self.0.len() * (1 + monomial.degree() / 8)) {
+                return Err(Overflow);
+            }
             let step = self.0.iter().find_map(|rule| Some((rule, monomial.divided_by(&rule.leading)?)));
             match step {
                 Some((rule, rest)) => pending.add_multiple(coefficient, &rest, &rule.replacement)?,
@@ -181,6 +188,9 @@ fn check_termination(relations: &[Relation]) -> Result<(), RelationsError> {
     symbols.sort_unstable();
     symbols.dedup();
     while let Some(&(index, ..)) = unsettled.first() {
+        if !effort::spend(unsettled.len() * symbols.len()) {
+            return Err(RelationsError::Overflow);
+        }
         let harmless = |&&symbol: &&Symbol| unsettled.iter().all(|(_, l, o)| l.power(symbol) >= o.power(symbol));
         let useful = |&&symbol: &&Symbol| unsettled.iter().any(|(_, l, o)| l.power(symbol) > o.power(symbol));
         let Some(&symbol) = symbols.iter().filter(useful).find(harmless) else {
