@@ -30,7 +30,7 @@ impl DefinitionError {
 
     /// At the place of a span; one that is nowhere stands for the end of the text.
     fn at(span: Span, text: &str, message: impl fmt::Display) -> Self {
-        let (line, column) = if span.byte_range().is_empty() {
+        let (line, column) = if span.byte_range() == (0..0) {
             let last = text.rsplit('\n').next().unwrap_or("");
             (text.matches('\n').count() + 1, last.chars().count() + 1)
         } else {
@@ -79,14 +79,15 @@ impl Definition {
 
 fn tokens(text: &str) -> Result<TokenStream, DefinitionError> {
     text.parse().map_err(|error: proc_macro2::LexError| {
-        let found = text.get(error.span().byte_range()).and_then(|rest| rest.chars().next());
-        let message = match found {
+        // The span is a place without a length.
+        let start = error.span().start();
+        let message = match text.get(error.span().byte_range().start..).and_then(|rest| rest.chars().next()) {
             None | Some('(' | ')' | '[' | ']' | '{' | '}') => {
                 "expected parentheses in pairs, found one without its other".to_owned()
             }
             Some(found) => format!("expected an expression, found `{}`", found.escape_debug()),
         };
-        DefinitionError::at(error.span(), text, message)
+        DefinitionError { message, line: start.line, column: start.column + 1 }
     })
 }
 

@@ -1,9 +1,9 @@
 //! Checks anybody's code against a definition in geometric algebra.
 //!
-//! A [`Check`] holds a definition, such as `m >> p`, and strategies for what its names stand for. It hands random values to
-//! your function and compares the answer with the definition, worked out on the naive
-//! [`reference`](mod@crate::reference), which shares no code with the generator. Where they differ it shrinks the values
-//! and reports a [`Counterexample`]: the inputs as blades, both results, and the first coefficient that differs.
+//! A [`Check`] holds a definition, such as `m >> p`, and strategies for what its names stand for. It hands random
+//! values to your function and compares the answer with the definition, worked out on the naive
+//! [`reference`](mod@crate::reference), which shares no code with the generator. Where they differ it shrinks the
+//! values and reports a [`Counterexample`]: the inputs as blades, both results, and the first coefficient that differs.
 //!
 //! Here is a reflection of a point in a plane, written by hand with one wrong sign, and the line that finds it:
 //!
@@ -41,8 +41,9 @@
 //!
 //! # Definitions
 //!
-//! An expression of [`expand`](fn@crate::expand)'s grammar without analytic functions: `*`, `^`, `&`, `|`, `>>`, `~`, `dual(x)`,
-//! `grade(x, 2)` and so on. `e` and digits is a blade, its generators in any order; every other name is an input.
+//! An expression of [`expand`](fn@crate::expand)'s grammar without analytic functions: `*`, `^`, `&`, `|`, `>>`, `~`,
+//! `dual(x)`, `grade(x, 2)` and so on. `e` and digits is a blade, its generators in any order; every other name is an
+//! input.
 //!
 //! # Tolerance
 //!
@@ -172,8 +173,8 @@ impl<T: Coefficient> Check<T> {
     /// Compares a function with the definition.
     ///
     /// # Errors
-    /// A [`Counterexample`], as small as shrinking makes it; inputs that do not fit the definition; strategies that reject
-    /// nearly everything. A panic of the function counts as a wrong answer.
+    /// A [`Counterexample`], as small as shrinking makes it; inputs that do not fit the definition; strategies that
+    /// reject nearly everything. A panic of the function counts as a wrong answer.
     pub fn run<const N: usize, A: Answer<T>>(
         &self,
         function: impl Fn([&Multivector<T>; N]) -> A,

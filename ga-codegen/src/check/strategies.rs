@@ -1,7 +1,8 @@
 //! Random elements of 3D projective geometric algebra, those at which formulas fail among them.
 //!
-//! Values shrink to few blades with simple coefficients, such as the rotor `0.6 + 0.8 e12`. Lengths are mostly below ten,
-//! sometimes up to 1e8. What a type promises, unit norm and Pluecker's and Study's relations, holds up to rounding.
+//! Values shrink to few blades with simple coefficients, such as the rotor `0.6 + 0.8 e12`. Lengths are mostly below
+//! ten, sometimes up to 1e8. What a type promises, unit norm and Pluecker's and Study's relations, holds up to
+//! rounding.
 //!
 //! ```
 //! use ga_codegen::check::{Check, strategies};
@@ -139,7 +140,7 @@ pub fn motors() -> impl Strategy<Value = Multivector<f64>> + Clone {
         3 => (translators(), rotors()).prop_map(motor),
         1 => motors_near_identity(),
         1 => motors_near_half_turn(),
-        1 => motors_with_tiny_turn_and_huge_translation(),
+        1 => motors_with_tiny_turn_and_huge_step(),
     ]
 }
 
@@ -155,7 +156,7 @@ pub fn motors_near_half_turn() -> impl Strategy<Value = Multivector<f64>> + Clon
 }
 
 /// Motors of half-angles from 1e-18 to 0.01 and translations from 1e4 to 1e8.
-pub fn motors_with_tiny_turn_and_huge_translation() -> impl Strategy<Value = Multivector<f64>> + Clone {
+pub fn motors_with_tiny_turn_and_huge_step() -> impl Strategy<Value = Multivector<f64>> + Clone {
     let huge = || signed_powers(4.0..8.0);
     ([huge(), huge(), huge()].prop_map(translator), rotors_near_identity()).prop_map(motor)
 }

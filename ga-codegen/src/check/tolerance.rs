@@ -6,7 +6,8 @@ use crate::reference::Multivector;
 
 /// How far a coefficient of an answer may be from that of the definition.
 ///
-/// NaN is never near enough, not even to NaN: keep inputs at which the definition itself overflows out of the strategies.
+/// NaN is never near enough, not even to NaN: keep inputs at which the definition itself overflows out of the
+/// strategies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Tolerance {
     /// Not at all.
@@ -17,11 +18,12 @@ pub enum Tolerance {
     ///
     /// Let S be the definition worked out on absolute values, every difference a sum, and d the largest number of
     /// operations that a term of the coefficient goes through, both counted along the naive evaluation. With the unit
-    /// roundoff u, that evaluation errs by at most d u S, up to terms of u^2 (Higham, "Accuracy and Stability of Numerical
-    /// Algorithms", section 3.1). A coefficient may be off by 4 d u S: once for the reference itself, once for an
-    /// implementation that does no more operations, and twice that for what relies on unit inputs, which are unit only up to
-    /// some u, or for terms that the definition cancels. d times the least normal number is for underflow. So a mistake
-    /// below that is not seen, and an implementation that cancels more than the definition does may be reported.
+    /// roundoff u, that evaluation errs by at most d u S, up to terms of u^2 (Higham, "Accuracy and Stability of
+    /// Numerical Algorithms", section 3.1). A coefficient may be off by 4 d u S: once for the reference itself, once
+    /// for an implementation that does no more operations, and twice that for what relies on unit inputs, which are
+    /// unit only up to some u, or for terms that the definition cancels. d times the least normal number is for
+    /// underflow. So a mistake below that is not seen, and an implementation that cancels more than the definition does
+    /// may be reported.
     #[default]
     Derived,
 }
