@@ -7,6 +7,7 @@ use ga_codegen::reference::Multivector;
 use proptest::prelude::*;
 
 type Element = Multivector<f64>;
+type Function = fn(&Element, &Element) -> Element;
 
 /// The sandwich of a point by hand, with signs of two of its terms to get wrong and a factor to leave one out.
 fn transform(m: &Element, p: &Element, [cross, turn]: [f64; 2], slide: f64) -> [(&'static str, f64); 4] {
@@ -25,7 +26,7 @@ fn sandwich() -> Check<f64> {
 }
 
 fn message<T: std::fmt::Display>(result: Result<(), T>) -> String {
-    result.err().expect("an error").to_string()
+    result.expect_err("an error").to_string()
 }
 
 #[test]
@@ -106,7 +107,7 @@ first difference: expected 0 in e1, found 1";
 
 #[test]
 fn every_operator_and_function_has_its_meaning() {
-    let cases: [(&str, fn(&Element, &Element) -> Element); 16] = [
+    let cases: [(&str, Function); 16] = [
         ("a + b", |a, b| a.add(b)),
         ("a - b", |a, b| a.sub(b)),
         ("a ^ b", |a, b| a.outer(b)),

@@ -29,9 +29,9 @@
 //!     "expected the value of `a * p * a`, found another at
 //!     a = e0 + e1
 //!     p = e123
-//! expected: 2 e023 - e123
-//! found:    -2 e023 - e123
-//! first difference: expected 2 in e023, found -2 (allowed: 3.11e-15)"
+//! expected: 2 e023 + e123
+//! found:    -2 e023 + e123
+//! first difference: expected 2 in e023, found -2 (allowed: 2.66e-15)"
 //! );
 //! # Ok(())
 //! # }
