@@ -65,6 +65,21 @@ fn ten_lines_of_use_hold() {
     assert!((half * half - motor).norm() < 1e-6 && carried.is_finite());
 }
 
+#[test]
+fn readme_shows_the_counterexample_that_a_test_pins() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("ga-codegen/tests/check.rs");
+    let tests = fs::read_to_string(path).expect("the tests of the checks");
+    let blocks = blocks(&readme(), "text");
+    let shown = blocks.iter().find(|block| block.contains("found another at")).expect("a counterexample");
+    assert!(tests.contains(shown.trim_end()), "expected in a test:\n{shown}");
+    assert!(tests.contains(blocks_with(&readme(), "Check::new").trim_end()), "expected the README's line in a test");
+}
+
+/// The first code block with this in it.
+fn blocks_with(text: &str, what: &str) -> String {
+    blocks(text, "rust").into_iter().find(|block| block.contains(what)).expect("a code block of the README")
+}
+
 mod plane {
     ga_macros::algebra! {
         signature (2, 0, 0);

@@ -23,12 +23,14 @@
 //!
 //! A program without proof is a compile error, so whatever step 3 does cannot make the result wrong. The definitions of 2D
 //! and 3D projective geometric algebra come along, see [`preset`]. [`reference`](mod@reference) is a naive multivector that
-//! shares no code with all this, to test against.
+//! shares no code with all this, to test against; the feature `check` adds `check`, which tests your own code against it.
 //!
 //! The block's grammar is that of [`expand`].
 
 pub mod algebra;
 pub mod approximation;
+#[cfg(feature = "check")]
+pub mod check;
 mod compile;
 pub mod emit;
 mod errors;

@@ -119,6 +119,24 @@ pub(crate) fn read_recipe(text: &str) -> syn::Result<Recipe> {
     }
 }
 
+/// Resolves an expression on its own: sums and products of these parameters, and blades in any order.
+///
+/// # Errors
+/// Names that stand for nothing, arguments that do not fit, an analytic function.
+#[cfg(feature = "check")]
+pub(crate) fn lower_expression(
+    raw: &crate::syntax::RawExpression,
+    basis: &Basis,
+    names: &[String],
+) -> syn::Result<crate::kernel::Expression> {
+    let parameters: Vec<_> = names.iter().map(|name| Parameter { name: name.clone(), entity: 0 }).collect();
+    let scope = Scope { basis, parameters: &parameters, any_order: true };
+    match scope.body(raw)? {
+        (None, expression) => Ok(expression),
+        (Some(_), _) => Err(syn::Error::new(raw.span, "expected sums and products, found an analytic function")),
+    }
+}
+
 /// Takes a recipe for a program that the definition asks for, once.
 fn check_recipe(definition: &mut Definition, recipe: Recipe, errors: &mut Errors) {
     let (name, model) = (&recipe.kernel, recipe.model);
@@ -290,7 +308,7 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
     if !complete {
         return None;
     }
-    let scope = Scope { basis: &definition.basis, parameters: &parameters };
+    let scope = Scope { basis: &definition.basis, parameters: &parameters, any_order: false };
     let (analytic, expression) = match scope.body(&raw.expression) {
         Ok(body) => body,
         Err(error) => {

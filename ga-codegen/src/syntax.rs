@@ -501,6 +501,19 @@ fn expression(input: ParseStream) -> syn::Result<RawExpression> {
     binary(input, 0, 0)
 }
 
+/// Parses an expression that stands alone.
+///
+/// # Errors
+/// Where it is none, or something stands behind it.
+#[cfg(feature = "check")]
+pub(crate) fn parse_expression(tokens: TokenStream) -> syn::Result<RawExpression> {
+    let whole = |input: ParseStream| {
+        let parsed = expression(input)?;
+        if input.is_empty() { Ok(parsed) } else { Err(unexpected(input, "an operator or the end")) }
+    };
+    whole.parse2(tokens)
+}
+
 /// Binary operators by precedence climbing.
 fn binary(input: ParseStream, least: u8, mut depth: usize) -> syn::Result<RawExpression> {
     let mut left = unary(input, depth)?;

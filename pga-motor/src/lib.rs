@@ -39,7 +39,7 @@
 //! # Features
 //!
 //! `std` (default) or else `libm` provides square roots and trigonometry, [`Real`], for `f32` and `f64`; without either
-//! the polynomial kernels remain. `glam` adds conversions to and from glam.
+//! the polynomial kernels remain. `glam` adds conversions to and from glam, `proptest` strategies for the types.
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 #![deny(unsafe_code)]
 
@@ -69,6 +69,8 @@ pub mod scalar;
 mod screw;
 pub mod skeleton;
 mod slices;
+#[cfg(feature = "proptest")]
+pub mod strategies;
 mod translator;
 mod weights;
 

@@ -177,6 +177,11 @@ impl Basis {
         self.blades.iter().find(|named| named.name == name)
     }
 
+    /// The blade of a word in any order of its generators, whatever its name here.
+    pub(crate) fn word(&self, word: &str) -> Option<(Sign, Blade)> {
+        parse_word(self.signature, word)
+    }
+
     /// The name and orientation of a blade of this algebra.
     ///
     /// # Panics

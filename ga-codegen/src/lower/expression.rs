@@ -11,6 +11,8 @@ use std::collections::BTreeMap;
 pub(super) struct Scope<'a> {
     pub(super) basis: &'a Basis,
     pub(super) parameters: &'a [Parameter],
+    /// Whether a blade may be written with its generators in an order that is not the basis's.
+    pub(super) any_order: bool,
 }
 
 impl Scope<'_> {
@@ -55,6 +57,9 @@ impl Scope<'_> {
         }
         if let Some(named) = self.basis.find(name) {
             return Ok(ExpressionKind::Blade(name.to_owned(), named.sign, named.blade));
+        }
+        if let Some((sign, blade)) = self.basis.word(name).filter(|_| self.any_order) {
+            return Ok(ExpressionKind::Blade(name.to_owned(), sign, blade));
         }
         let parameters: Vec<_> = self.parameters.iter().map(|parameter| format!("`{}`", parameter.name)).collect();
         let message = format!("expected a parameter ({}) or a blade, found `{name}`", parameters.join(", "));

@@ -1,0 +1,267 @@
+//! The checks of other people's code find what is wrong with it, and say so in few blades.
+
+use ga_codegen::algebra::Signature;
+use ga_codegen::check::strategies::{self, PGA3D, motors, planes, points, rotors};
+use ga_codegen::check::{Check, CheckError, Tolerance};
+use ga_codegen::reference::Multivector;
+use proptest::prelude::*;
+
+type Element = Multivector<f64>;
+type Function = fn(&Element, &Element) -> Element;
+
+/// The sandwich of a point by hand, with signs of two of its terms to get wrong and a factor to leave one out.
+fn transform(m: &Element, p: &Element, [cross, turn]: [f64; 2], slide: f64) -> [(&'static str, f64); 4] {
+    let [s, a, b, c] = ["1", "e23", "e31", "e12"].map(|word| m.coefficient(word));
+    let [d, e, f, h] = ["e01", "e02", "e03", "e0123"].map(|word| m.coefficient(word));
+    let [x, y, z] = ["e032", "e013", "e021"].map(|word| p.coefficient(word));
+    let across = [d + b * z * cross - c * y, e + c * x - a * z, f + a * y - b * x];
+    let half_x = s * across[0] + a * h * slide - b * across[2] * turn + c * across[1];
+    let half_y = s * across[1] + b * h * slide - c * across[0] + a * across[2];
+    let half_z = s * across[2] + c * h * slide - a * across[1] + b * across[0];
+    [("e123", 1.0), ("e032", x - 2.0 * half_x), ("e013", y - 2.0 * half_y), ("e021", z - 2.0 * half_z)]
+}
+
+fn sandwich() -> Check<f64> {
+    Check::new(PGA3D, "m >> p").expect("a definition").input("m", motors()).input("p", points())
+}
+
+fn message<T: std::fmt::Display>(result: Result<(), T>) -> String {
+    result.expect_err("an error").to_string()
+}
+
+#[test]
+fn a_right_implementation_passes() {
+    sandwich().cases(2000).assert(|[m, p]| m.geometric(p).geometric(&m.reverse()));
+    sandwich().cases(2000).assert(|[m, p]| transform(m, p, [1.0, 1.0], 1.0));
+}
+
+#[test]
+fn a_wrong_sign_is_found_and_shown_in_few_blades() {
+    let error = sandwich().run(|[m, p]| transform(m, p, [-1.0, 1.0], 1.0));
+    let expected = "expected the value of `m >> p`, found another at
+    m = 0.6 - 0.8 e13
+    p = -e012 + e123
+expected: 0.28000000000000014 e012 + 0.96 e023 + e123
+found:    -2.2800000000000002 e012 - 0.96 e023 + e123
+first difference: expected 0.28000000000000014 in e012, found -2.2800000000000002 (allowed: 1.33e-15)";
+    assert_eq!(message(error), expected);
+}
+
+#[test]
+fn the_line_of_the_readme_holds() -> Result<(), Box<dyn std::error::Error>> {
+    let mine = |m: &Element, p: &Element| transform(m, p, [1.0, 1.0], 1.0);
+    Check::new(PGA3D, "m >> p")?.input("m", motors()).input("p", points()).assert(|[m, p]| mine(m, p));
+    Ok(())
+}
+
+#[test]
+fn a_missing_term_is_found_and_the_first_differing_coefficient_named() {
+    let error = sandwich().run(|[m, p]| transform(m, p, [1.0, 1.0], 0.0)).expect_err("a missing term");
+    let expected = "expected the value of `m >> p`, found another at
+    m = e12 + e0123
+    p = e123
+expected: 2 e012 + e123
+found:    e123
+first difference: expected 2 in e012, found 0 (allowed: 2.66e-15)";
+    assert_eq!(error.to_string(), expected);
+    let counterexample = error.counterexample().expect("a counterexample");
+    let difference = counterexample.difference.as_ref().expect("a coefficient");
+    assert_eq!((difference.blade.as_str(), difference.expected, difference.found), ("e012", 2.0, 0.0));
+    assert_eq!(counterexample.inputs[0].0, "m");
+}
+
+#[test]
+fn a_swapped_argument_is_found() {
+    let check = Check::new(PGA3D, "a * b").expect("a definition").input("a", rotors()).input("b", rotors());
+    let error = check.run(|[a, b]| b.geometric(a)).expect_err("the other order");
+    let [(_, a), (_, b)] = &error.counterexample().expect("a counterexample").inputs[..] else { panic!("two inputs") };
+    assert!(a.blades().len() <= 2 && b.blades().len() <= 2, "{error}");
+    check.assert(|[a, b]| a.geometric(b));
+}
+
+/// Whole numbers as coefficients of a rotor that is not unit, and of a vector.
+fn whole(words: &'static [&'static str]) -> impl Strategy<Value = Multivector<i64>> {
+    proptest::collection::vec(-99_i64..100, words.len()).prop_map(|coefficients| {
+        Multivector::from_blades(Signature::new(2, 0, 0), words.iter().zip(coefficients)).expect("words of the plane")
+    })
+}
+
+#[test]
+fn whole_numbers_are_compared_exactly() {
+    let check = Check::new(Signature::new(2, 0, 0), "r * v * ~r + 2 * v | e21").expect("a definition");
+    let check = check.input("r", whole(&["1", "e12"])).input("v", whole(&["e1", "e2"]));
+    let blade = Multivector::from_blades(Signature::new(2, 0, 0), [("e21", 1)]).expect("a blade");
+    check.assert(|[r, v]| r.sandwich(v).add(&v.scale(2)).inner(&blade));
+    let off_by_one = |[r, v]: [&Multivector<i64>; 2]| {
+        let e1 = r.sandwich(v).add(&v.scale(2)).inner(&blade).coefficient("e1");
+        [("e1", e1 + 1), ("e2", r.sandwich(v).add(&v.scale(2)).inner(&blade).coefficient("e2"))]
+    };
+    let expected = "expected the value of `r * v * ~r + 2 * v | e21`, found another at
+    r = 0
+    v = 0
+expected: 0
+found:    e1
+first difference: expected 0 in e1, found 1";
+    assert_eq!(message(check.run(off_by_one)), expected);
+}
+
+#[test]
+fn every_operator_and_function_has_its_meaning() {
+    let cases: [(&str, Function); 16] = [
+        ("a + b", |a, b| a.add(b)),
+        ("a - b", |a, b| a.sub(b)),
+        ("a ^ b", |a, b| a.outer(b)),
+        ("a & b", |a, b| a.regressive(b)),
+        ("a | b", |a, b| a.inner(b)),
+        ("-a * b / 2", |a, b| a.geometric(b).scale(-0.5)),
+        ("left_contraction(a, b)", |a, b| a.left_contraction(b)),
+        ("right_contraction(a, b)", |a, b| a.right_contraction(b)),
+        ("scalar_product(a, b)", |a, b| a.scalar_product(b)),
+        ("commutator(a, b)", |a, b| a.commutator(b)),
+        ("anticommutator(a, b)", |a, b| a.anticommutator(b)),
+        ("dual(a) + undual(b)", |a, b| a.dual().add(&b.undual())),
+        ("grade_involution(a) * ~b", |a, b| a.grade_involution().geometric(&b.reverse())),
+        ("clifford_conjugate(a) * b", |a, b| a.clifford_conjugate().geometric(b)),
+        ("grade(a * b, 2)", |a, b| a.geometric(b).grade(2)),
+        ("a * e31 + b", |a, b| a.geometric(&blade("e31")).add(b)),
+    ];
+    for (definition, function) in cases {
+        let check = Check::new(PGA3D, definition).expect(definition).cases(20);
+        check.input("a", motors()).input("b", planes()).assert(|[a, b]| function(a, b));
+    }
+}
+
+fn blade(word: &str) -> Element {
+    Multivector::from_blades(PGA3D, [(word, 1.0)]).expect("a blade")
+}
+
+#[test]
+fn definitions_that_do_not_parse_say_where() {
+    let cases = [
+        ("m >> ", "expected an expression, found the end at column 6"),
+        ("m * p * m)", "expected parentheses in pairs, found one without its other at column 10"),
+        ("(m * p", "expected parentheses in pairs, found one without its other at column 1"),
+        ("m p", "expected an operator or the end, found `p` at column 3"),
+        ("m * e14", "expected a parameter (`m`) or a blade, found `e14` at column 5"),
+        ("m\n  * $", "expected an expression, found `$` at line 2, column 5"),
+        ("m * \u{a7}", "expected an expression, found `\u{a7}` at column 5"),
+        ("m * 0.5", "expected a whole number or a quotient of two, found `0.5` at column 5"),
+        ("dual(m, m)", "expected 1 argument for `dual`, found 2 at column 1"),
+        ("exp(m)", "expected sums and products, found an analytic function at column 1"),
+        ("", "expected an expression, found the end at column 1"),
+    ];
+    for (definition, expected) in cases {
+        let error = Check::<f64>::new(PGA3D, definition).err().expect(definition);
+        assert_eq!(error.to_string(), expected, "{definition}");
+    }
+    let error = Check::<f64>::new(Signature::new(9, 0, 0), "m").err().expect("nine dimensions");
+    assert!(error.to_string().starts_with("expected at most 8 generators, found Cl(9,0,0)"), "{error}");
+}
+
+proptest! {
+    #[test]
+    fn no_text_hurts(text in "[mpe0-9()*^&|>~+ /.,$'\"-]{0,40}|\\PC{0,20}") {
+        if let Err(error) = Check::<f64>::new(PGA3D, &text) {
+            prop_assert!(error.column() <= text.chars().count() + 1 && error.line() >= 1);
+        }
+    }
+}
+
+#[test]
+fn inputs_that_do_not_fit_are_named() {
+    let start = || Check::new(PGA3D, "m >> p").expect("a definition").input("m", motors());
+    assert_eq!(message(start().run(|[m]| m.clone())), "expected values for the input `p`, found none");
+    let error = start().input("q", points()).run(|[m, _]| m.clone());
+    assert_eq!(message(error), "expected an input of the definition (`m`, `p`), found `q`");
+    let error = start().input("m", motors()).run(|[m, _]| m.clone());
+    assert_eq!(message(error), "expected values for each input once, found `m` twice");
+    let error = start().input("p", points()).run(|[m]| m.clone());
+    assert_eq!(message(error), "expected a function of as many parameters as inputs, 2, found one of 1");
+    let other = Just(Multivector::scalar(Signature::new(2, 0, 1), 1.0));
+    let error = start().input("p", other).run(|[m, _]| m.clone());
+    assert_eq!(message(error), "expected values of Cl(3,0,1) for the input `p`, found one of Cl(2,0,1)");
+    let check = Check::new(Signature::new(2, 0, 0), "v / 2").expect("a definition").input("v", whole(&["e1"]));
+    let expected = "expected numbers that the coefficients can hold, found `1/2` in the definition";
+    assert_eq!(message(check.run(|[v]| v.clone())), expected);
+    let check = Check::new(PGA3D, "m").expect("a definition").input("m", motors().prop_filter("none", |_| false));
+    let error = check.run(|[m]| m.clone()).expect_err("no values");
+    assert!(matches!(error, CheckError::Exhausted(_)), "{error}");
+    assert_eq!(error.to_string(), "expected strategies that give enough values, found Too many local rejects");
+}
+
+#[test]
+fn wrong_outputs_are_reported_with_the_inputs() {
+    let check = Check::new(PGA3D, "~r").expect("a definition").input("r", rotors());
+    let found = |error: Result<(), CheckError<f64>>| {
+        let text = message(error);
+        assert!(text.starts_with("expected the value of `~r`, found another at\n    r = 1\nexpected: 1\n"), "{text}");
+        text.lines().last().expect("a line").to_owned()
+    };
+    let expected = "found:    no answer: expected a generator of Cl(3,0,1), e0 to e3, found e4 in `e4`";
+    assert_eq!(found(check.run(|[_]| [("e4", 1.0)])), expected);
+    let other = Multivector::scalar(Signature::new(2, 0, 1), 1.0);
+    assert_eq!(found(check.run(|[_]| other.clone())), "found:    no answer of Cl(3,0,1), but one of Cl(2,0,1)");
+    let panics = |_: [&Element; 1]| -> Element { panic!("not today") };
+    assert_eq!(found(check.run(panics)), "found:    a panic: not today");
+    assert_eq!(found(check.run(|[_]| [("1", f64::NAN)])), "first difference: expected 1 in 1, found NaN");
+    let expected = "first difference: expected 0 in e0123, found inf";
+    assert_eq!(found(check.run(|[_]| vec![("1", 1.0), ("e0123", f64::INFINITY)])), expected);
+}
+
+#[test]
+fn tolerances_are_what_they_say() {
+    let scaled = |factor: f64| move |[r]: [&Element; 1]| r.scale(factor);
+    let check = |tolerance| Check::new(PGA3D, "r").expect("a definition").input("r", rotors()).tolerance(tolerance);
+    check(Tolerance::Exact).assert(scaled(1.0));
+    assert!(check(Tolerance::Exact).run(scaled(1.0 + f64::EPSILON)).is_err());
+    check(Tolerance::Relative(1e-6)).assert(scaled(1.0 + 9e-7));
+    assert!(check(Tolerance::Relative(1e-6)).run(scaled(1.0 + 2e-6)).is_err());
+    // Where nothing is computed there is nothing to round.
+    assert!(check(Tolerance::Derived).run(scaled(1.0 + f64::EPSILON)).is_err());
+}
+
+#[test]
+fn the_same_seed_gives_the_same_counterexample() {
+    let run = |seed| message(sandwich().seed(seed).run(|[m, p]| transform(m, p, [1.0, -1.0], 1.0)));
+    assert_eq!(run(7), run(7));
+}
+
+#[test]
+#[should_panic(expected = "first difference: ")]
+fn assert_panics_with_the_message() {
+    sandwich().assert(|[m, p]| transform(m, p, [1.0, -1.0], 1.0));
+}
+
+/// What a norm or a relation may be off by where these coefficients are rounded: some units of their squares.
+fn is_near(found: f64, wanted: f64, size: f64) -> bool {
+    (found - wanted).abs() <= 32.0 * f64::EPSILON * (1.0 + size)
+}
+
+proptest! {
+    #[test]
+    fn strategies_keep_what_they_promise(
+        [a, b] in strategies::motor_pairs(),
+        [c, d] in strategies::antipodal_motors(),
+        line in strategies::lines(),
+        plane in planes(),
+        point in points(),
+        direction in strategies::directions(),
+        near in strategies::rotors_near_identity(),
+        turned in strategies::motors_near_half_turn(),
+        far in strategies::motors_with_tiny_turn_and_huge_step(),
+    ) {
+        prop_assert_eq!(c.add(&d).blades().len(), 0);
+        for motor in [a, b, c, far.clone()] {
+            let square = motor.geometric(&motor.reverse());
+            prop_assert!(is_near(square.coefficient("1"), 1.0, 0.0));
+            prop_assert!(is_near(square.coefficient("e0123"), 0.0, motor.ideal_norm()));
+        }
+        let square = line.geometric(&line);
+        prop_assert!(is_near(square.coefficient("1"), -1.0, 0.0));
+        prop_assert!(is_near(square.coefficient("e0123"), 0.0, line.ideal_norm()));
+        prop_assert!(is_near(plane.norm_squared(), 1.0, 0.0) && point.norm_squared() == 1.0);
+        prop_assert!(is_near(direction.ideal_norm_squared(), 1.0, 0.0));
+        prop_assert!(near.coefficient("1") > 0.9999 && turned.coefficient("1").abs() < 0.011);
+        prop_assert!(far.ideal_norm() > 1e4);
+    }
+}
