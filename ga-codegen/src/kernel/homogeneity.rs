@@ -17,6 +17,7 @@ use super::{
 use crate::algebra::Signature;
 use crate::symbolic::{Monomial, Polynomial, Rational};
 use proc_macro2::Span;
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// A monomial whose degree in the unit of length is not that of the others.
@@ -136,14 +137,14 @@ struct Dimensions {
     symbols: Vec<(usize, i64)>,
     /// The number of unknowns: one for every input and one for the result.
     unknowns: usize,
-    /// Sums of multiples of the unknowns and of 1 that are 0; the first of the numbers that is not 0 is 1.
-    rows: Vec<Vec<Rational>>,
+    /// Equations by their first unknown, which has the factor 1.
+    rows: BTreeMap<usize, Row>,
 }
 
 impl Dimensions {
     /// What the types fix by their constants.
     fn new(inputs: &[&Entity], signature: Signature) -> Self {
-        let mut dimensions = Self { symbols: Vec::new(), unknowns: inputs.len() + 1, rows: Vec::new() };
+        let mut dimensions = Self { symbols: Vec::new(), unknowns: inputs.len() + 1, rows: BTreeMap::new() };
         for (parameter, entity) in inputs.iter().enumerate() {
             for component in &entity.components {
                 let degree = i64::from(component.blade.null_degree(signature));
@@ -151,9 +152,9 @@ impl Dimensions {
                     ComponentValue::Field(_) => dimensions.symbols.push((parameter, degree)),
                     ComponentValue::Constant(value) if value.is_zero() => {}
                     ComponentValue::Constant(_) => {
-                        let mut row = vec![Rational::ZERO; dimensions.unknowns + 1];
-                        row[parameter] = Rational::ONE;
-                        row[dimensions.unknowns] = Rational::integer(degree);
+                        let mut row = Row::default();
+                        row.add(parameter, Rational::ONE);
+                        row.add(dimensions.unknowns, Rational::integer(degree));
                         // A type with constants of different degrees fixes a length; the first of them counts.
                         let _ = dimensions.add(row);
                     }
@@ -168,20 +169,20 @@ impl Dimensions {
         monomial.symbols().iter().map(|&symbol| self.symbols[usize::from(symbol)].1).sum()
     }
 
-    fn row(&self, monomial: &Monomial) -> Vec<Rational> {
-        let mut row = vec![0; self.unknowns + 1];
-        row[self.unknowns] = self.degree(monomial);
-        monomial.symbols().iter().for_each(|&symbol| row[self.symbols[usize::from(symbol)].0] += 1);
-        row.into_iter().map(Rational::integer).collect()
+    fn row(&self, monomial: &Monomial) -> Row {
+        let mut row = Row::default();
+        row.add(self.unknowns, Rational::integer(self.degree(monomial)));
+        monomial.symbols().iter().for_each(|&symbol| row.add(self.symbols[usize::from(symbol)].0, Rational::ONE));
+        row
     }
 
     /// Requires that a monomial has this degree, up to the constant of the result where it belongs to that; else by how
     /// much it is off.
     fn require(&mut self, monomial: &Monomial, degree: i64, of_result: bool) -> Result<(), Rational> {
         let mut row = self.row(monomial);
-        row[self.unknowns] = row[self.unknowns].checked_add(Rational::integer(-degree)).expect(SMALL);
+        row.add(self.unknowns, Rational::integer(-degree));
         if of_result {
-            row[self.unknowns - 1] = Rational::MINUS_ONE;
+            row.add(self.unknowns - 1, Rational::MINUS_ONE);
         }
         self.add(row)
     }
@@ -194,36 +195,55 @@ impl Dimensions {
         let Some(measure) = monomials.iter().copied().max_by_key(alike) else { return Ok(()) };
         let measure = self.row(measure);
         for monomial in monomials.into_iter().cloned() {
-            let row = subtract(&self.row(&monomial), Rational::ONE, &measure);
+            let mut row = self.row(&monomial);
+            row.subtract(Rational::ONE, &measure);
             self.add(row).map_err(|excess| (monomial, excess))?;
         }
         Ok(())
     }
 
     /// Adds an equation; the excess of its constant where it contradicts the others.
-    fn add(&mut self, mut row: Vec<Rational>) -> Result<(), Rational> {
-        let pivot = |row: &[Rational]| row.iter().position(|number| !number.is_zero());
-        for known in &self.rows {
-            let place = pivot(known).expect("invariant: equations that say nothing are not kept");
-            row = subtract(&row, row[place], known);
-        }
-        match pivot(&row) {
-            None => Ok(()),
-            Some(place) if place == self.unknowns => Err(row[place]),
-            Some(place) => {
-                let leading = row[place];
-                let normal = |number: Rational| number.checked_div(leading).expect(SMALL).unwrap_or(Rational::ZERO);
-                self.rows.push(row.into_iter().map(normal).collect());
-                Ok(())
+    fn add(&mut self, mut row: Row) -> Result<(), Rational> {
+        while let Some((&place, &factor)) = row.0.first_key_value() {
+            if place == self.unknowns {
+                return Err(factor);
             }
+            let Some(known) = self.rows.get(&place) else {
+                self.rows.insert(place, row.divided_by(factor));
+                return Ok(());
+            };
+            row.subtract(factor, known);
         }
+        Ok(())
     }
 }
 
-/// a - factor b
-fn subtract(a: &[Rational], factor: Rational, b: &[Rational]) -> Vec<Rational> {
-    let entry = |(a, b): (&Rational, &Rational)| a.checked_add(factor.neg().checked_mul(*b)?);
-    a.iter().zip(b).map(|pair| entry(pair).expect(SMALL)).collect()
+/// A sum of multiples of the unknowns, and of 1 at the place after them, that is 0; what it does not name has the factor 0.
+#[derive(Default)]
+struct Row(BTreeMap<usize, Rational>);
+
+impl Row {
+    fn add(&mut self, place: usize, number: Rational) {
+        let sum = self.0.get(&place).unwrap_or(&Rational::ZERO).checked_add(number).expect(SMALL);
+        if sum.is_zero() {
+            self.0.remove(&place)
+        } else {
+            self.0.insert(place, sum)
+        };
+    }
+
+    fn subtract(&mut self, factor: Rational, other: &Self) {
+        for (&place, number) in &other.0 {
+            self.add(place, factor.neg().checked_mul(*number).expect(SMALL));
+        }
+    }
+
+    fn divided_by(mut self, divisor: Rational) -> Self {
+        for number in self.0.values_mut() {
+            *number = number.checked_div(divisor).expect(SMALL).expect("invariant: a first factor is not 0");
+        }
+        self
+    }
 }
 
 /// Whether a dual is taken anywhere in an expression.
