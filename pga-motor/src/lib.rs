@@ -89,7 +89,7 @@ pub mod f32 {
         f32: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
         OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
-    crate::precision::aliases! { f32 in skeleton: Joint Pose Skeleton }
+    crate::precision::aliases! { f32 in skeleton: Clip Joint Pose ScrewCache Skeleton SkeletonInstance }
     crate::precision::aliases! { f32 in game: MotorGame }
 }
 
@@ -100,6 +100,6 @@ pub mod f64 {
         f64: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
         OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
-    crate::precision::aliases! { f64 in skeleton: Joint Pose Skeleton }
+    crate::precision::aliases! { f64 in skeleton: Clip Joint Pose ScrewCache Skeleton SkeletonInstance }
     crate::precision::aliases! { f64 in game: MotorGame }
 }

@@ -35,14 +35,14 @@ pub enum SkeletonError {
         /// Its name.
         name: String,
     },
-    /// A joint's rest motor, or the model motor that follows from it and its ancestors', is NaN or infinite.
+    /// A joint's rest motor, or the model motor that follows from it and its ancestors', or its bind motor, is NaN or infinite.
     NonFinite {
         /// Index of the joint as given.
         joint: usize,
         /// Its name.
         name: String,
     },
-    /// A joint's rest motor is far from a unit motor: it would scale or tear what it moves.
+    /// A joint's rest or bind motor is far from a unit motor: it would scale or tear what it moves.
     NotRigid {
         /// Index of the joint as given.
         joint: usize,
@@ -51,7 +51,7 @@ pub enum SkeletonError {
     },
     /// A buffer does not have one motor for each joint.
     PoseLength {
-        /// Which one: `"locals"` or `"out"`.
+        /// Which one: the name of the parameter.
         buffer: &'static str,
         /// How many joints the skeleton has.
         expected: usize,
@@ -91,10 +91,10 @@ impl fmt::Display for SkeletonError {
                 write!(f, "joint {joint} `{name}`: expected a chain of parents that ends at a root, found a cycle")
             }
             Self::NonFinite { joint, name } => {
-                write!(f, "joint {joint} `{name}`: expected a finite rest pose, found a NaN or an infinity")
+                write!(f, "joint {joint} `{name}`: expected a finite motor, found a NaN or an infinity")
             }
             Self::NotRigid { joint, name } => {
-                write!(f, "joint {joint} `{name}`: expected a unit motor as rest pose, found one that is not rigid")
+                write!(f, "joint {joint} `{name}`: expected a unit motor, found one that is not rigid")
             }
             Self::PoseLength { buffer, expected, found } => {
                 write!(f, "expected {expected} motors in `{buffer}`, one for each joint, found {found}")

@@ -3,9 +3,11 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 
+use super::kinematics::check_length;
 use super::order::{depth_first, first_on_cycle};
+use super::rigidity::{is_rigid, tolerance};
 use super::{Joint, Pose, SkeletonError};
-use crate::{EvenMultivector, Motor, Real, kernels};
+use crate::{Motor, Real};
 
 /// Joints in depth-first order, with their names and the pose they rest in. There may be several roots.
 ///
@@ -103,6 +105,26 @@ impl<T: Real> Skeleton<T> {
         let names = order.iter().map(|&old| core::mem::take(&mut listing.names[old])).collect();
         Ok((Self { joints, names, rest_pose }, remap))
     }
+
+    /// The skeleton with other bind poses than its rest pose: for each joint, in the skeleton's order, the motor from the
+    /// skeleton's space to the joint's own frame when a mesh was bound to it.
+    ///
+    /// # Errors
+    /// [`SkeletonError::PoseLength`] where there is not one for each joint, [`SkeletonError::NonFinite`] and
+    /// [`SkeletonError::NotRigid`] where one is that; joints are counted in the skeleton's order.
+    pub fn with_inv_bind_poses(mut self, inv_bind_poses: &[Motor<T>]) -> Result<Self, SkeletonError> {
+        check_length("inv_bind_poses", self.len(), inv_bind_poses.len())?;
+        for (joint, &motor) in inv_bind_poses.iter().enumerate() {
+            if !motor.is_finite() {
+                return Err(SkeletonError::NonFinite { joint, name: self.names[joint].clone() });
+            }
+            if !is_rigid(motor, tolerance()) {
+                return Err(SkeletonError::NotRigid { joint, name: self.names[joint].clone() });
+            }
+            self.joints[joint].inv_bind_pose = motor;
+        }
+        Ok(self)
+    }
 }
 
 impl<T: Real> Listing<T> {
@@ -140,7 +162,7 @@ impl<T: Real> Listing<T> {
             if !rest.is_finite() {
                 return Err(SkeletonError::NonFinite { joint, name: self.name(joint) });
             }
-            if !is_rigid(*rest) {
+            if !is_rigid(*rest, tolerance()) {
                 return Err(SkeletonError::NotRigid { joint, name: self.name(joint) });
             }
         }
@@ -174,13 +196,4 @@ impl<T: Real> Listing<T> {
 /// A number of joints, as joints store it.
 fn count(joints: usize) -> u16 {
     u16::try_from(joints).expect("invariant: a skeleton has at most MAX_JOINTS joints")
-}
-
-/// Whether a motor is a unit motor to 1e-3: what remains of a careless export is far below, a scale or a typing error far above.
-/// How far it is from the Study quadric is a length, and is measured against the ideal part that it is made of.
-fn is_rigid<T: Real>(rest: Motor<T>) -> bool {
-    let tolerance = T::from_ratio(1, 1000);
-    let even = EvenMultivector::from(rest);
-    let study = kernels::even_study(even).e0123;
-    (even.norm() - T::ONE).abs() <= tolerance && study.abs() <= tolerance * even.ideal_norm()
 }

@@ -23,6 +23,6 @@ pub fn local_to_model<T: Scalar>(
     Ok(())
 }
 
-fn check_length(buffer: &'static str, expected: usize, found: usize) -> Result<(), SkeletonError> {
+pub(super) fn check_length(buffer: &'static str, expected: usize, found: usize) -> Result<(), SkeletonError> {
     if found == expected { Ok(()) } else { Err(SkeletonError::PoseLength { buffer, expected, found }) }
 }

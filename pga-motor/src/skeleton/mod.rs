@@ -36,15 +36,20 @@
 //! # Ok::<(), pga_motor::skeleton::SkeletonError>(())
 //! ```
 
+mod clip;
 mod error;
 mod hierarchy;
+mod instance;
 mod joint;
 mod kinematics;
 mod order;
 mod pose;
+mod rigidity;
 
+pub use clip::{Clip, ClipError, Interpolation, JointModes, KeyMode, KeySpan, ScrewCache, Wrap};
 pub use error::SkeletonError;
 pub use hierarchy::Skeleton;
+pub use instance::{SkeletonInstance, animate_keyframe, animate_sample, skinning_motors};
 pub use joint::Joint;
 pub use kinematics::local_to_model;
 pub use pose::Pose;

@@ -216,10 +216,10 @@ fn rest_motors_must_be_finite_and_rigid() {
         joints[1].2 = motor;
         error(joints).to_string()
     };
-    let not_finite = "joint 1 `j1`: expected a finite rest pose, found a NaN or an infinity";
+    let not_finite = "joint 1 `j1`: expected a finite motor, found a NaN or an infinity";
     assert_eq!(with(Motor { e31: f64::NAN, ..Motor::IDENTITY }), not_finite);
     assert_eq!(with(Motor { e02: f64::INFINITY, ..Motor::IDENTITY }), not_finite);
-    let not_rigid = "joint 1 `j1`: expected a unit motor as rest pose, found one that is not rigid";
+    let not_rigid = "joint 1 `j1`: expected a unit motor, found one that is not rigid";
     assert_eq!(with(Motor { s: 0.0, ..Motor::IDENTITY }), not_rigid);
     assert_eq!(with(Motor { s: 1.1, ..Motor::IDENTITY }), not_rigid);
     assert_eq!(with(Motor { e0123: 0.5, ..Motor::IDENTITY }), not_rigid);

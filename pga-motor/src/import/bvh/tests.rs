@@ -289,7 +289,7 @@ fn a_number_too_large_for_the_scalar_is_not_finite() {
     // Finite offsets may still add up to a joint at infinity.
     let text = "HIERARCHY\nROOT a { OFFSET 3e38 0 0\nJOINT b { OFFSET 3e38 0 0\nJOINT c { OFFSET 3e38 0 0 } } }\nMOTION\nFrames: 0\nFrame Time: 1";
     let error = parse::<f32>(text).unwrap_err();
-    assert_eq!(error.to_string(), "line 4: joint 2 `c`: expected a finite rest pose, found a NaN or an infinity");
+    assert_eq!(error.to_string(), "line 4: joint 2 `c`: expected a finite motor, found a NaN or an infinity");
 }
 
 #[test]

@@ -1,0 +1,181 @@
+//! What a clip is at any time.
+
+use super::{Clip, ClipError, JointModes, KeyMode};
+use crate::weights;
+use crate::{Motor, Real, Translator};
+
+/// How a joint gets from one key to the next, where its modes say that it is interpolated.
+///
+/// The ways of [`Motor`]: see there for what each keeps constant. Where only the rotation is interpolated and the translation
+/// holds, or the other way round, each part goes its own way: the rotation as the rotors do, the translation straight.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Interpolation {
+    /// No interpolation: the key before holds.
+    Step,
+    /// [`Motor::nlerp`], the cheapest.
+    #[default]
+    Nlerp,
+    /// [`Motor::slerp`].
+    Slerp,
+    /// [`Motor::screw_lerp`].
+    Screw,
+    /// [`Motor::split_lerp`]: what glTF calls LINEAR, and what most programs export.
+    Split,
+}
+
+impl Interpolation {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Step, Self::Nlerp, Self::Slerp, Self::Screw, Self::Split];
+
+    /// The name in lower case: `step`, `nlerp`, `slerp`, `screw`, `split`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Step => "step",
+            Self::Nlerp => "nlerp",
+            Self::Slerp => "slerp",
+            Self::Screw => "screw",
+            Self::Split => "split",
+        }
+    }
+}
+
+/// What is before the first key and after the last.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Wrap {
+    /// The first key, and the last.
+    #[default]
+    Clamp,
+    /// The clip again, from its first key to its last, over and over. The last key's time is the first one's.
+    Loop,
+}
+
+/// Where a time lies among the keys of a clip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct KeySpan<T> {
+    /// The key at or before it.
+    pub before: usize,
+    /// The key after it; the same as `before` where the time is before the first key, or at or after the last.
+    pub after: usize,
+    /// How much of the way from one to the other has passed: 0 at `before`, always less than 1.
+    pub fraction: T,
+}
+
+impl<T: Real> Clip<T> {
+    /// The keys around a time in seconds, by binary search. A time before the first key counts as that of the first key, one after
+    /// the last as that of the last, and NaN as the first.
+    ///
+    /// ```
+    /// use pga_motor::f64::{Clip, Motor};
+    ///
+    /// let clip = Clip::new(1, vec![1.0, 2.0, 4.0], vec![Motor::IDENTITY; 3])?;
+    /// let span = clip.keys_around(2.5);
+    /// assert_eq!((span.before, span.after, span.fraction), (1, 2, 0.25));
+    /// # Ok::<(), pga_motor::skeleton::ClipError>(())
+    /// ```
+    pub fn keys_around(&self, time: T) -> KeySpan<T> {
+        let times = self.times();
+        let passed = times.partition_point(|&key| key <= time);
+        let before = passed.saturating_sub(1);
+        if passed == 0 || passed == times.len() {
+            return KeySpan { before, after: before, fraction: T::ZERO };
+        }
+        // Halves, as the distance of two finite times may be infinite. Rounding must not reach the next key.
+        let half = |time: T| time * T::from_ratio(1, 2);
+        let fraction = (half(time) - half(times[before])) / (half(times[passed]) - half(times[before]));
+        let below_one = T::ONE - T::EPSILON;
+        KeySpan { before, after: passed, fraction: if fraction < below_one { fraction } else { below_one } }
+    }
+
+    /// The time within the clip that stands for any time; `None` for NaN and infinities.
+    fn wrapped(&self, time: T, wrap: Wrap) -> Option<T> {
+        if !time.is_finite() {
+            return None;
+        }
+        let (start, end) = (self.start(), self.end());
+        let inside = start <= time && time < end;
+        if wrap == Wrap::Clamp || inside || self.key_count() == 1 {
+            return Some(time);
+        }
+        let [from, to] = [start, end].map(Real::to_f64);
+        let remainder = (time.to_f64() - from) % (to - from);
+        let position = if remainder < 0.0 { remainder + (to - from) } else { remainder };
+        Some(T::from_f64(from + position))
+    }
+
+    /// Where a time lies among the keys, for sampling.
+    pub(super) fn span(&self, time: T, wrap: Wrap) -> Result<KeySpan<T>, ClipError> {
+        self.wrapped(time, wrap).map(|time| self.keys_around(time)).ok_or(ClipError::SampleTime)
+    }
+
+    pub(super) fn check_pose(&self, found: usize) -> Result<(), ClipError> {
+        let expected = self.joint_count();
+        if found == expected { Ok(()) } else { Err(ClipError::PoseLength { expected, found }) }
+    }
+
+    /// Writes the local motors at a time in seconds, one for each joint. Nothing is allocated.
+    ///
+    /// `interpolation` is for what the clip's modes interpolate; what they hold is held.
+    ///
+    /// # Errors
+    /// [`ClipError::PoseLength`] where `pose` has not one motor for each joint of the clip, [`ClipError::SampleTime`] for a time
+    /// that is not finite; `pose` is then as it was.
+    pub fn sample_into(
+        &self,
+        time: T,
+        interpolation: Interpolation,
+        wrap: Wrap,
+        pose: &mut [Motor<T>],
+    ) -> Result<(), ClipError> {
+        self.check_pose(pose.len())?;
+        let KeySpan { before, after, fraction } = self.span(time, wrap)?;
+        let (a, b) = (self.joints_of(before), self.joints_of(after));
+        if before == after || fraction == T::ZERO {
+            pose.copy_from_slice(a);
+            return Ok(());
+        }
+        let between = |way: fn(Motor<T>, Motor<T>, T) -> Motor<T>, pose: &mut [Motor<T>]| {
+            let keys = a.iter().zip(b);
+            if self.all_linear {
+                pose.iter_mut().zip(keys).for_each(|(local, (&a, &b))| *local = way(a, b, fraction));
+            } else {
+                let keys = keys.zip(self.modes());
+                pose.iter_mut().zip(keys).for_each(|(local, ((&a, &b), &modes))| {
+                    *local = joint_between(modes, way, a, b, fraction);
+                });
+            }
+        };
+        match interpolation {
+            Interpolation::Step => pose.copy_from_slice(a),
+            Interpolation::Nlerp => between(Motor::nlerp, pose),
+            Interpolation::Slerp => between(Motor::slerp, pose),
+            Interpolation::Screw => between(Motor::screw_lerp, pose),
+            Interpolation::Split => between(Motor::split_lerp, pose),
+        }
+        Ok(())
+    }
+}
+
+/// A joint between two keys, where one part of it may hold.
+#[inline]
+pub(super) fn joint_between<T: Real>(
+    modes: JointModes,
+    way: impl Fn(Motor<T>, Motor<T>, T) -> Motor<T>,
+    a: Motor<T>,
+    b: Motor<T>,
+    fraction: T,
+) -> Motor<T> {
+    match (modes.rotation, modes.translation) {
+        (KeyMode::Linear, KeyMode::Linear) => way(a, b, fraction),
+        (KeyMode::Step, KeyMode::Step) => a,
+        (KeyMode::Step, KeyMode::Linear) => {
+            let (from, to) = (a.translator().vector(), b.translator().vector());
+            let vector = weights::mix(from, to, fraction, weights::chord(fraction));
+            Motor::from_rotor_translator(a.rotor(), Translator::from_vector(vector))
+        }
+        // The way of two pure rotations is the way of their rotors.
+        (KeyMode::Linear, KeyMode::Step) => {
+            let rotor = way(a.rotor().into(), b.rotor().into(), fraction).rotor();
+            Motor::from_rotor_translator(rotor, a.translator())
+        }
+    }
+}
