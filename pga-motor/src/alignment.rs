@@ -10,31 +10,34 @@ use core::ops::Neg;
 ///
 /// `None` where there is nothing finite to add, or the weights add up to 0 to rounding. The sum itself may cancel; what
 /// is not longer than [`rounding`] has.
-pub(crate) fn aligned_sum<T, M, const N: usize>(inputs: &[(M, T)], scalar_product: impl Fn(M, M) -> T) -> Option<[T; N]>
+pub(crate) fn aligned_sum<T, M, const N: usize>(
+    inputs: impl Iterator<Item = (M, T)> + Clone,
+    scalar_product: impl Fn(M, M) -> T,
+) -> Option<[T; N]>
 where
     T: Real,
     M: Copy + Neg<Output = M> + Into<[T; N]>,
 {
     let finite = |motor: M| motor.into().iter().all(|coefficient| coefficient.is_finite());
-    if !inputs.iter().all(|&(motor, weight)| weight.is_finite() && finite(motor)) {
+    if !inputs.clone().all(|(motor, weight)| weight.is_finite() && finite(motor)) {
         return None;
     }
     let larger = |a: T, b: T| if b > a { b } else { a };
-    let largest = inputs.iter().fold(T::ZERO, |largest, &(_, weight)| larger(largest, weight.abs()));
+    let largest = inputs.clone().fold(T::ZERO, |largest, (_, weight)| larger(largest, weight.abs()));
     if largest == T::ZERO {
         return None;
     }
-    let sum = |term: fn(T) -> T| inputs.iter().fold(T::ZERO, |sum, &(_, weight)| sum + term(weight / largest));
+    let sum = |term: fn(T) -> T| inputs.clone().fold(T::ZERO, |sum, (_, weight)| sum + term(weight / largest));
     let (total, magnitudes) = (sum(|weight| weight), sum(|weight| weight.abs()));
-    if total.abs() <= magnitudes * rounding(inputs.len()) {
+    if total.abs() <= magnitudes * rounding(inputs.clone().count()) {
         return None;
     }
     let scale = if total < T::ZERO { -magnitudes } else { magnitudes };
-    let weighted = |&(motor, weight): &(M, T)| (motor, weight / largest / scale);
-    let heaviest = heaviest(inputs.iter().map(weighted))?;
+    let weighted = inputs.map(|(motor, weight)| (motor, weight / largest / scale));
+    let heaviest = heaviest(weighted.clone())?;
     let reference = canonical(heaviest);
     let mut sum = [T::ZERO; N];
-    for (motor, weight) in inputs.iter().map(weighted) {
+    for (motor, weight) in weighted {
         let coefficients: [T; N] = aligned(motor, scalar_product(reference, motor)).into();
         sum.iter_mut().zip(coefficients).for_each(|(sum, coefficient)| *sum = *sum + coefficient * weight);
     }

@@ -252,9 +252,15 @@ impl<T: Real> ScrewPath<T> {
 /// assert_eq!(blend(&[(by(4.0, 0.0), 1.0), (by(0.0, 4.0), -1.0)]), None);
 /// ```
 pub fn blend<T: Real>(inputs: &[(Motor<T>, T)]) -> Option<Motor<T>> {
+    blend_each(inputs.iter().copied())
+}
+
+/// [`blend`] of inputs that need not stand in one place.
+pub(crate) fn blend_each<T: Real>(inputs: impl Iterator<Item = (Motor<T>, T)> + Clone) -> Option<Motor<T>> {
+    let count = inputs.clone().count();
     let sum = alignment::aligned_sum(inputs, kernels::motor_scalar_product_motor)?;
     let sum = EvenMultivector::from(sum);
-    if sum.norm() <= alignment::rounding(inputs.len()) {
+    if sum.norm() <= alignment::rounding(count) {
         return None;
     }
     let motor = sum.over_norm();

@@ -243,7 +243,7 @@ impl<T: Real> ScrewPath<T> {
 /// assert_eq!(blend(&[(by(4.0, 0.0), 1.0), (by(0.0, 4.0), -1.0)]), None);
 /// ```
 pub fn blend<T: Real>(inputs: &[(Motor<T>, T)]) -> Option<Motor<T>> {
-    let sum = alignment::aligned_sum(inputs, kernels::motor_scalar_product_motor)?;
+    let sum = alignment::aligned_sum(inputs.iter().copied(), kernels::motor_scalar_product_motor)?;
     let sum = EvenMultivector::from(sum);
     if sum.norm() <= alignment::rounding(inputs.len()) {
         return None;

@@ -36,23 +36,37 @@
 //! # Ok::<(), pga_motor::skeleton::SkeletonError>(())
 //! ```
 
+mod blending;
 mod clip;
 mod error;
 mod hierarchy;
+mod ik;
 mod instance;
 mod joint;
 mod kinematics;
 mod order;
+#[cfg(feature = "rayon")]
+mod parallel;
 mod pose;
+mod retarget;
 mod rigidity;
+mod root_motion;
+mod skinning;
 
+pub use blending::{BlendError, Layer, add_layers, blend_poses, deviation_into};
 pub use clip::{Clip, ClipError, Interpolation, JointModes, KeyMode, KeySpan, ScrewCache, Wrap};
 pub use error::SkeletonError;
 pub use hierarchy::Skeleton;
+pub use ik::{Aim, IkError, Reach, TwoBone};
 pub use instance::{SkeletonInstance, animate_keyframe, animate_sample, skinning_motors};
 pub use joint::Joint;
 pub use kinematics::local_to_model;
+#[cfg(feature = "rayon")]
+pub use parallel::{Character, animate_characters};
 pub use pose::Pose;
+pub use retarget::{Retarget, Unmatched};
+pub use root_motion::{RootMotion, RootMotionError, RootMotionPart};
+pub use skinning::{Influences, SkinError, skin_normals, skin_normals_linear, skin_points, skin_points_linear};
 
 #[cfg(test)]
 mod tests;
