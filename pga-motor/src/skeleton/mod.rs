@@ -12,7 +12,22 @@
 //!
 //! Joints are stored depth-first: a parent stands before its children, and a joint together with everything below it is one
 //! contiguous run ([`Joint::group_size`]). One pass from front to back therefore suffices ([`local_to_model`]), and a whole
-//! limb is a slice. Lengths are in whatever unit the caller uses throughout; angles, where there are any, in radians.
+//! limb is a slice. Lengths are in whatever unit the caller uses throughout; angles, where there are any, in radians; times in seconds.
+//!
+//! The stages of a frame, each of which writes to a buffer of the caller's and allocates nothing:
+//!
+//! | | |
+//! |---|---|
+//! | [`Clip::sample_into`], [`Clip::sample_cached_into`] | the pose of a clip at a time |
+//! | [`Retarget::pose_into`] | that pose for a skeleton of other proportions |
+//! | [`blend_poses`], [`add_layers`] | one pose of several |
+//! | [`RootMotion::between`] | how far the character gets, to be multiplied to its place in the world |
+//! | [`local_to_model`] | model motors |
+//! | [`TwoBone::solve`], [`Aim::solve`] | hands and feet, heads and eyes where they should be |
+//! | [`skinning_motors`], [`skin_points`], [`skin_normals`] | a mesh that follows |
+//!
+//! [`animate_sample`] does the first and the fifth for a [`SkeletonInstance`], and puts its joints into the world. Files come from
+//! [`import`](crate::import).
 //!
 //! ```
 //! use pga_motor::skeleton::{Skeleton, local_to_model};
