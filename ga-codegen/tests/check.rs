@@ -1,8 +1,9 @@
 //! The checks of other people's code find what is wrong with it, and say so in few blades.
 
 use ga_codegen::algebra::Signature;
+use ga_codegen::check::strategies::pga2d::{self, PGA2D};
 use ga_codegen::check::strategies::{self, PGA3D, motors, planes, points, rotors};
-use ga_codegen::check::{Check, CheckError, Tolerance};
+use ga_codegen::check::{Check, CheckError, Coefficient, Fraction, Tolerance};
 use ga_codegen::reference::Multivector;
 use proptest::prelude::*;
 
@@ -72,7 +73,7 @@ first difference: expected 2 in e012, found 0 (allowed: 2.66e-15)";
 
 #[test]
 fn a_swapped_argument_is_found() {
-    let check = Check::new(PGA3D, "a * b").expect("a definition").input("a", rotors()).input("b", rotors());
+    let check = Check::<f64>::new(PGA3D, "a * b").expect("a definition").input("a", rotors()).input("b", rotors());
     let error = check.run(|[a, b]| b.geometric(a)).expect_err("the other order");
     let [(_, a), (_, b)] = &error.counterexample().expect("a counterexample").inputs[..] else { panic!("two inputs") };
     assert!(a.blades().len() <= 2 && b.blades().len() <= 2, "{error}");
@@ -183,7 +184,8 @@ fn inputs_that_do_not_fit_are_named() {
     let check = Check::new(Signature::new(2, 0, 0), "v / 2").expect("a definition").input("v", whole(&["e1"]));
     let expected = "expected numbers that the coefficients can hold, found `1/2` in the definition";
     assert_eq!(message(check.run(|[v]| v.clone())), expected);
-    let check = Check::new(PGA3D, "m").expect("a definition").input("m", motors().prop_filter("none", |_| false));
+    let check =
+        Check::<f64>::new(PGA3D, "m").expect("a definition").input("m", motors().prop_filter("none", |_| false));
     let error = check.run(|[m]| m.clone()).expect_err("no values");
     assert!(matches!(error, CheckError::Exhausted(_)), "{error}");
     assert_eq!(error.to_string(), "expected strategies that give enough values, found Too many local rejects");
@@ -232,36 +234,149 @@ fn assert_panics_with_the_message() {
     sandwich().assert(|[m, p]| transform(m, p, [1.0, -1.0], 1.0));
 }
 
-/// What a norm or a relation may be off by where these coefficients are rounded: some units of their squares.
-fn is_near(found: f64, wanted: f64, size: f64) -> bool {
-    (found - wanted).abs() <= 32.0 * f64::EPSILON * (1.0 + size)
+/// Whether a square is this number: exactly for exact coefficients, otherwise up to some units of what was squared.
+fn is_unit<T: Coefficient>(square: &Multivector<T>, wanted: i8, size: f64) -> bool {
+    let difference = square.sub(&Multivector::scalar(square.signature(), T::from(wanted)));
+    let allowed = 64.0 * T::UNIT_ROUNDOFF * (1.0 + size);
+    difference.blades().iter().all(|(_, value)| allowed > 0.0 && value.magnitude() <= allowed)
+}
+
+/// The sum of the magnitudes of the coefficients.
+fn size<T: Coefficient>(value: &Multivector<T>) -> f64 {
+    value.blades().iter().map(|(_, coefficient)| coefficient.magnitude()).sum()
+}
+
+fn square<T: Coefficient>(value: &Multivector<T>) -> Multivector<T> {
+    value.geometric(&value.reverse())
+}
+
+fn strategies_keep_what_they_promise<T: Coefficient>() {
+    proptest!(|(
+        [a, b] in strategies::motor_pairs::<T>(),
+        [c, d] in strategies::antipodal_motors::<T>(),
+        line in strategies::lines::<T>(),
+        plane in planes::<T>(),
+        point in points::<T>(),
+        direction in strategies::directions::<T>(),
+        turned in strategies::motors_near_half_turn::<T>(),
+        far in strategies::motors_with_tiny_turn_and_huge_step::<T>(),
+        rotor in rotors::<T>(),
+        translator in strategies::translators::<T>(),
+        bivector in strategies::bivectors::<T>(),
+    )| {
+        prop_assert!(c.add(&d).blades().is_empty());
+        for unit in [a, b, c, turned, far, rotor, translator, line, plane] {
+            prop_assert!(is_unit(&square(&unit), 1, size(&unit)), "{unit}");
+        }
+        prop_assert!(is_unit(&square(&point), 1, 0.0));
+        let normal = direction.dual().grade(1);
+        prop_assert!(is_unit(&square(&normal), 1, 0.0), "{direction}");
+        prop_assert_eq!(bivector.grade(2), bivector);
+    });
+}
+
+fn strategies_of_the_plane_keep_what_they_promise<T: Coefficient>() {
+    proptest!(|(
+        [a, b] in pga2d::motor_pairs::<T>(),
+        [c, d] in pga2d::antipodal_motors::<T>(),
+        line in pga2d::lines::<T>(),
+        point in pga2d::points::<T>(),
+        direction in pga2d::directions::<T>(),
+        turned in pga2d::motors_near_half_turn::<T>(),
+        far in pga2d::motors_with_tiny_turn_and_huge_step::<T>(),
+        rotor in pga2d::rotors::<T>(),
+        translator in pga2d::translators::<T>(),
+        bivector in pga2d::bivectors::<T>(),
+    )| {
+        prop_assert!(c.add(&d).blades().is_empty());
+        for unit in [a, b, c, turned, far, rotor, translator, line] {
+            prop_assert!(is_unit(&square(&unit), 1, size(&unit)), "{unit}");
+        }
+        prop_assert!(is_unit(&square(&point), 1, 0.0));
+        prop_assert!(is_unit(&square(&direction.dual()), 1, 0.0), "{direction}");
+        prop_assert_eq!(bivector.grade(2), bivector);
+    });
+}
+
+#[test]
+fn strategies_keep_promises_of_floats_up_to_rounding() {
+    strategies_keep_what_they_promise::<f64>();
+    strategies_keep_what_they_promise::<f32>();
+    strategies_of_the_plane_keep_what_they_promise::<f64>();
+    strategies_of_the_plane_keep_what_they_promise::<f32>();
+}
+
+#[test]
+fn strategies_keep_promises_of_fractions_exactly() {
+    strategies_keep_what_they_promise::<Fraction>();
+    strategies_of_the_plane_keep_what_they_promise::<Fraction>();
 }
 
 proptest! {
     #[test]
-    fn strategies_keep_what_they_promise(
-        [a, b] in strategies::motor_pairs(),
-        [c, d] in strategies::antipodal_motors(),
-        line in strategies::lines(),
-        plane in planes(),
-        point in points(),
-        direction in strategies::directions(),
-        near in strategies::rotors_near_identity(),
-        turned in strategies::motors_near_half_turn(),
-        far in strategies::motors_with_tiny_turn_and_huge_step(),
+    fn strategies_reach_the_nasty_ones(
+        near in strategies::rotors_near_identity::<f64>(),
+        turned in strategies::motors_near_half_turn::<f64>(),
+        far in strategies::motors_with_tiny_turn_and_huge_step::<f64>(),
+        exact in strategies::motors_with_tiny_turn_and_huge_step::<Fraction>(),
+        plane_turned in pga2d::motors_near_half_turn::<f64>(),
+        plane_far in pga2d::motors_with_tiny_turn_and_huge_step::<f64>(),
+        plane_exact in pga2d::motors_near_half_turn::<Fraction>(),
     ) {
-        prop_assert_eq!(c.add(&d).blades().len(), 0);
-        for motor in [a, b, c, far.clone()] {
-            let square = motor.geometric(&motor.reverse());
-            prop_assert!(is_near(square.coefficient("1"), 1.0, 0.0));
-            prop_assert!(is_near(square.coefficient("e0123"), 0.0, motor.ideal_norm()));
-        }
-        let square = line.geometric(&line);
-        prop_assert!(is_near(square.coefficient("1"), -1.0, 0.0));
-        prop_assert!(is_near(square.coefficient("e0123"), 0.0, line.ideal_norm()));
-        prop_assert!(is_near(plane.norm_squared(), 1.0, 0.0) && point.norm_squared() == 1.0);
-        prop_assert!(is_near(direction.ideal_norm_squared(), 1.0, 0.0));
         prop_assert!(near.coefficient("1") > 0.9999 && turned.coefficient("1").abs() < 0.011);
-        prop_assert!(far.ideal_norm() > 1e4);
+        prop_assert!(far.ideal_norm() > 1e4 && plane_far.ideal_norm() > 1e4);
+        prop_assert!(plane_turned.coefficient("1").abs() < 0.011);
+        let ratio = |numerator, denominator| Fraction::new(numerator, denominator).expect("a fraction");
+        prop_assert!(exact.coefficient("1") > ratio(9, 10));
+        let cos = plane_exact.coefficient("1");
+        prop_assert!(cos != ratio(0, 1) && cos * cos < ratio(1, 25));
     }
+}
+
+/// The sandwich of a motor and a point of the plane by hand, with a sign to get wrong.
+fn transform_in_plane<T: Coefficient>(m: &Multivector<T>, p: &Multivector<T>, sign: i8) -> [(&'static str, T); 3] {
+    let [s, w, a, b] = ["1", "e12", "e01", "e20"].map(|word| m.coefficient(word));
+    let [x, y] = ["e20", "e01"].map(|word| p.coefficient(word));
+    let (one, two, sign) = (T::from(1), T::from(2), T::from(sign));
+    let product = |x: &T, y: &T| x.clone() * y.clone();
+    let cos = product(&s, &s) - product(&w, &w);
+    let sin = -(two.clone() * product(&s, &w));
+    let step_x = two.clone() * (product(&w, &b) - product(&s, &a) * sign);
+    let step_y = two * (product(&w, &a) + product(&s, &b));
+    [
+        ("e12", one),
+        ("e20", product(&cos, &x) - product(&sin, &y) + step_x),
+        ("e01", product(&sin, &x) + product(&cos, &y) + step_y),
+    ]
+}
+
+fn plane_sandwich<T: Coefficient>() -> Check<T> {
+    Check::new(PGA2D, "m >> p").expect("a definition").input("m", pga2d::motors()).input("p", pga2d::points())
+}
+
+#[test]
+fn exact_units_need_no_tolerance() {
+    plane_sandwich::<Fraction>().assert(|[m, p]| transform_in_plane(m, p, 1));
+    let check = Check::<Fraction>::new(PGA3D, "(a * b) >> p").expect("a definition");
+    let check = check.inputs(["a", "b"], strategies::motor_pairs()).input("p", points());
+    check.assert(|[a, b, p]| a.sandwich(&b.sandwich(p)));
+    // What holds of units alone holds of these.
+    let check = Check::<Fraction>::new(PGA3D, "~m * (m >> l) * m").expect("a definition");
+    check.input("m", motors()).input("l", strategies::lines()).assert(|[_, l]| l.clone());
+}
+
+#[test]
+fn a_wrong_sign_is_found_in_the_plane_in_any_coefficients() {
+    plane_sandwich::<f64>().assert(|[m, p]| transform_in_plane(m, p, 1));
+    plane_sandwich::<f32>().assert(|[m, p]| transform_in_plane(m, p, 1));
+    assert!(plane_sandwich::<f64>().run(|[m, p]| transform_in_plane(m, p, -1)).is_err());
+    assert!(plane_sandwich::<f32>().run(|[m, p]| transform_in_plane(m, p, -1)).is_err());
+    let error = plane_sandwich::<Fraction>().run(|[m, p]| transform_in_plane(m, p, -1));
+    let expected = "expected the value of `m >> p`, found another at
+    m = 1 - e01
+    p = e12
+expected: -2 e02 + e12
+found:    2 e02 + e12
+first difference: expected -2 in e02, found 2";
+    assert_eq!(message(error), expected);
 }

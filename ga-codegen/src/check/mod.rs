@@ -47,7 +47,7 @@
 //!
 //! # Tolerance
 //!
-//! See [`Tolerance`]: exact for exact coefficients, derived from a running error bound for floats.
+//! See [`Tolerance`]: exact for exact coefficients, such as [`Fraction`], derived from a running error bound for floats.
 //!
 //! # Determinism
 //!
@@ -56,6 +56,7 @@
 mod coefficient;
 mod counterexample;
 mod definition;
+mod fraction;
 mod interpreter;
 pub mod strategies;
 mod tolerance;
@@ -63,6 +64,7 @@ mod tolerance;
 pub use coefficient::Coefficient;
 pub use counterexample::{CheckError, Counterexample, Fault, InputError};
 pub use definition::DefinitionError;
+pub use fraction::Fraction;
 pub use tolerance::{Difference, Tolerance};
 
 use std::cell::RefCell;
