@@ -148,7 +148,8 @@ fn definitions_that_do_not_parse_say_where() {
         ("m * \u{a7}", "expected an expression, found `\u{a7}` at column 5"),
         ("m * 0.5", "expected a whole number or a quotient of two, found `0.5` at column 5"),
         ("dual(m, m)", "expected 1 argument for `dual`, found 2 at column 1"),
-        ("exp(m)", "expected sums and products, found an analytic function at column 1"),
+        ("2 * exp(m)", "expected `exp` around the whole definition, found it inside an expression at column 5"),
+        ("log(m, 2)", "expected 1 argument for `log`, found 2 at column 1"),
         ("", "expected an expression, found the end at column 1"),
     ];
     for (definition, expected) in cases {
@@ -379,4 +380,167 @@ expected: -2 e02 + e12
 found:    2 e02 + e12
 first difference: expected -2 in e02, found 2";
     assert_eq!(message(error), expected);
+}
+
+/// Bivectors for which the exponential's series ends soon.
+fn small_bivectors(signature: Signature, words: &'static [&'static str]) -> impl Strategy<Value = Element> {
+    proptest::collection::vec(-1.0..1.0, words.len()).prop_map(move |coefficients| {
+        Multivector::from_blades(signature, words.iter().zip(coefficients)).expect("words of the signature")
+    })
+}
+
+const LINE: [&str; 6] = ["e23", "e31", "e12", "e01", "e02", "e03"];
+
+/// The sum of B^n / n!, in which the term of this number has another sign; no term has the number 0.
+fn exp_by_series(bivector: &Element, wrong: usize) -> Element {
+    let one = Multivector::scalar(bivector.signature(), 1.0);
+    let (mut term, mut sum) = (one.clone(), one);
+    for n in 1..40 {
+        term = term.geometric(bivector).scale(1.0 / n as f64);
+        sum = if n == wrong { sum.sub(&term) } else { sum.add(&term) };
+    }
+    sum
+}
+
+#[test]
+fn exp_is_its_series() {
+    let check = |signature, words| {
+        Check::<f64>::new(signature, "exp(b)").expect("a definition").input("b", small_bivectors(signature, words))
+    };
+    for check in [check(PGA3D, &LINE), check(PGA2D, &["e12", "e01", "e20"]), check(Signature::new(3, 0, 0), &LINE[..3])]
+    {
+        check.assert(|[b]| exp_by_series(b, 0));
+        for wrong in 1..8 {
+            assert!(check.run(|[b]| exp_by_series(b, wrong)).is_err(), "term {wrong}");
+        }
+    }
+}
+
+/// The exponential in the plane by hand.
+fn exp_in_plane(bivector: &Element) -> Element {
+    let norm = bivector.norm();
+    let sinc = if norm == 0.0 { 1.0 } else { norm.sin() / norm };
+    bivector.scale(sinc).add(&Multivector::scalar(PGA2D, norm.cos()))
+}
+
+/// The logarithm in the plane by hand.
+fn log_in_plane(motor: &Element) -> Element {
+    let bivector = motor.grade(2);
+    let norm = bivector.norm();
+    let ratio = if norm == 0.0 { 1.0 } else { norm.atan2(motor.coefficient("1")) / norm };
+    bivector.scale(ratio)
+}
+
+#[test]
+fn exp_and_log_hold_in_the_plane_at_every_magnitude() {
+    let exp = Check::new(PGA2D, "exp(b)").expect("a definition").input("b", pga2d::bivectors()).cases(2000);
+    exp.assert(|[b]| exp_in_plane(b));
+    assert!(exp.run(|[b]| exp_in_plane(&b.scale(0.5))).is_err());
+    let log = Check::new(PGA2D, "log(m)").expect("a definition").input("m", pga2d::motors()).cases(2000);
+    log.assert(|[m]| log_in_plane(m));
+    // That of the motion the short way is another where the scalar part is negative.
+    let error = log.run(|[m]| if m.coefficient("1") < 0.0 { log_in_plane(&m.neg()) } else { log_in_plane(m) });
+    let error = error.expect_err("another branch");
+    assert!(error.counterexample().is_some(), "{error}");
+    let check = Check::new(PGA2D, "log(~a * b)").expect("a definition");
+    let check = check.inputs(
+        ["a", "b"],
+        pga2d::motor_pairs()
+            .prop_filter("-1", |[a, b]: &[Element; 2]| a.reverse().geometric(b).coefficient("1") > -0.9),
+    );
+    check.assert(|[a, b]| log_in_plane(&a.reverse().geometric(b)));
+}
+
+/// The unit near an even element of 3D PGA, with its Study part or without.
+fn unit(y: &Element, study: bool) -> Element {
+    let norm = y.geometric(&y.reverse());
+    let square = norm.coefficient("1");
+    let correction = if study { norm.grade(4).geometric(y).scale(0.5 / square) } else { Multivector::zero(PGA3D) };
+    y.sub(&correction).scale(1.0 / square.sqrt())
+}
+
+#[test]
+fn roots_and_units_are_checked() {
+    let one = Multivector::scalar(PGA3D, 1.0);
+    let sums = strategies::motor_pairs().prop_map(|[a, b]: [Element; 2]| a.scale(2.0).add(&b));
+    let check = Check::new(PGA3D, "normalize(y)").expect("a definition").input("y", sums);
+    check.assert(|[y]| unit(y, true));
+    assert!(check.run(|[y]| unit(y, false)).is_err());
+    let planes = planes().prop_map(|plane| plane.scale(-3.0));
+    let check = Check::new(PGA3D, "normalize(p)").expect("a definition").input("p", planes);
+    check.assert(|[p]| p.normalize().expect("a plane"));
+    assert!(check.run(|[p]| p.scale(1.0 / 3.001)).is_err());
+    let check = Check::new(PGA3D, "sqrt(m)").expect("a definition");
+    let check = check.input("m", motors().prop_map(|m: Element| if m.coefficient("1") < 0.0 { m.neg() } else { m }));
+    check.assert(|[m]| unit(&m.add(&one), true));
+    assert!(check.run(|[m]| unit(&m.add(&one), true).neg()).is_err());
+    assert!(check.run(|[m]| unit(&m.add(&one), false)).is_err());
+}
+
+#[test]
+fn functions_are_worked_out_in_single_precision() {
+    let check = Check::<f32>::new(PGA2D, "exp(b)").expect("a definition").input("b", pga2d::bivectors());
+    check.assert(|[b]| {
+        let norm = b.norm();
+        let sinc = if norm == 0.0 { 1.0 } else { norm.sin() / norm };
+        b.scale(sinc).add(&Multivector::scalar(PGA2D, norm.cos()))
+    });
+    assert!(check.run(|[b]| Multivector::scalar(PGA2D, b.norm().cos()).add(&b.scale(0.999))).is_err());
+    let check = Check::<f32>::new(PGA3D, "normalize(l)").expect("a definition");
+    check.input("l", strategies::lines()).assert(|[l]| l.clone());
+}
+
+#[test]
+fn inputs_outside_the_domain_are_reported() {
+    let at = |signature: Signature, definition: &str, blades: &[(&str, f64)]| {
+        let value = Multivector::from_blades(signature, blades.iter().copied()).expect("blades");
+        let check = Check::new(signature, definition).expect("a definition").input("x", Just(value));
+        // Whatever is answered, nan and the argument itself among it.
+        let [error, other] = [check.run(|[x]| x.clone()), check.run(|[_]| [("1", f64::NAN)])].map(message);
+        assert_eq!(error, other);
+        let (head, reason) = error.split_once("no value: ").expect("a reason");
+        assert!(
+            head.starts_with(&format!("expected inputs at which `{definition}` has a value, found\n    x = ")),
+            "{head}"
+        );
+        reason.to_owned()
+    };
+    let unit = |blade| format!("expected a unit m, m ~m = 1, found another, by the coefficient of {blade} in m ~m");
+    assert_eq!(at(PGA3D, "log(x)", &[("1", 1.0), ("e12", 1e-3)]), unit("1"));
+    assert_eq!(at(PGA3D, "sqrt(x)", &[("1", 1.0), ("e0123", 1e-3)]), unit("e0123"));
+    assert_eq!(at(PGA3D, "log(x)", &[("1", f64::NAN)]), unit("1"));
+    let branch = "expected a motion with one logarithm, found -1 or a negative translator";
+    assert_eq!(at(PGA3D, "log(x)", &[("1", -1.0)]), branch);
+    assert_eq!(at(PGA2D, "log(x)", &[("1", -1.0), ("e01", 2.0)]), branch);
+    let norm = "expected a positive norm, found one that is 0 or negative, or that rounding may have made";
+    assert_eq!(at(PGA3D, "sqrt(x)", &[("1", -1.0)]), norm);
+    assert_eq!(at(PGA3D, "normalize(x)", &[]), norm);
+    assert_eq!(at(PGA3D, "normalize(x)", &[("e01", 1.0)]), norm);
+    assert_eq!(at(Signature::new(0, 1, 0), "normalize(x)", &[("e1", 1.0)]), norm);
+    assert_eq!(at(PGA3D, "normalize(x - x)", &[("e1", 0.1)]), norm);
+    let bivector = "expected a bivector as the argument of exp, found one with e1";
+    assert_eq!(at(PGA3D, "exp(x)", &[("e1", 1.0), ("e12", 1.0)]), bivector);
+    let hyperbolic = "expected a bivector whose square is not positive, found another";
+    assert_eq!(at(Signature::new(1, 1, 0), "exp(x)", &[("e12", 1.0)]), hyperbolic);
+    let form = "expected a square that is a scalar and a commuting part of square 0, found another";
+    assert_eq!(at(Signature::new(4, 0, 0), "exp(x)", &[("e12", 1.0), ("e34", 1.0)]), form);
+    assert_eq!(at(PGA3D, "exp(x)", &[("e12", 1e200)]), "expected numbers in the range of f64, found one beyond");
+}
+
+#[test]
+fn what_has_no_exact_value_is_refused() {
+    for function in ["exp", "log", "normalize", "sqrt"] {
+        let check =
+            Check::<Fraction>::new(PGA3D, &format!("{function}(m)")).expect("a definition").input("m", motors());
+        let expected = format!(
+            "expected coefficients in floating point for `{function}`, found exact ones, of which it has no exact value"
+        );
+        assert_eq!(message(check.run(|[m]| m.clone())), expected);
+    }
+    let huge = Fraction::new(1 << 100, 3).expect("a fraction");
+    let check = Check::<Fraction>::new(PGA3D, "x * x").expect("a definition");
+    let error = check.input("x", Just(Multivector::scalar(PGA3D, huge))).run(|[x]| x.clone());
+    assert!(matches!(error, Err(CheckError::Undefined(_))));
+    let expected = "no value: a panic of the coefficients' arithmetic: exact arithmetic overflowed 128-bit rationals";
+    assert_eq!(message(error).lines().last(), Some(expected));
 }

@@ -154,7 +154,8 @@ pub(super) fn values<T: Coefficient>(value: &Multivector<Running<T>>) -> Multive
     map(value, |coefficient| coefficient.value)
 }
 
-fn map<A: Number, B: Number>(value: &Multivector<A>, image: impl Fn(A) -> B) -> Multivector<B> {
+/// The same blades with images of the coefficients.
+pub(super) fn map<A: Number, B: Number>(value: &Multivector<A>, image: impl Fn(A) -> B) -> Multivector<B> {
     let blades = value.blades().into_iter().map(|(word, coefficient)| (word, image(coefficient)));
     Multivector::from_blades(value.signature(), blades).expect("invariant: words of a multivector of the signature")
 }

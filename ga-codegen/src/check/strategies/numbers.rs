@@ -1,7 +1,7 @@
 //! Random numbers: lengths, unit vectors and half-angles, in floating point or exactly.
 //!
 //! Exact unit vectors and angles are rational points on a sphere and on a circle, by stereographic projection of whole
-//! numbers. Their denominators are small, so that formulas of a high degree still fit 128 bits.
+//! numbers. Their denominators are small, so that formulas of degree four in motors fit 128 bits.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Range;
@@ -11,7 +11,7 @@ use proptest::sample::select;
 
 use crate::check::Coefficient;
 
-/// Where whole numbers are asked for a half.
+/// Why a value is left out: whole numbers cannot hold a half.
 const UNHELD: &str = "a number that the coefficients cannot hold";
 
 /// Numbers over a common denominator.
