@@ -92,3 +92,68 @@ fn is_canonical<T: Real, const N: usize>(motor: impl Into<[T; N]>) -> bool {
     let first = motor.into().into_iter().find(|coefficient| *coefficient != T::ZERO);
     first.is_none_or(|coefficient| coefficient > T::ZERO)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Rotor;
+    use core::f64::consts::FRAC_1_SQRT_2;
+
+    fn sum(inputs: &[(Rotor<f64>, f64)]) -> Option<[f64; 4]> {
+        aligned_sum(inputs, |a: Rotor<f64>, b| a.s * b.s + a.e23 * b.e23 + a.e31 * b.e31 + a.e12 * b.e12)
+    }
+
+    const ONE: Rotor<f64> = Rotor::IDENTITY;
+    const HALF_TURN_X: Rotor<f64> = Rotor { s: 0.0, e23: 1.0, e31: 0.0, e12: 0.0 };
+    const HALF_TURN_Y: Rotor<f64> = Rotor { s: 0.0, e23: 0.0, e31: 1.0, e12: 0.0 };
+
+    #[test]
+    fn weights_become_proportions() {
+        assert_eq!(sum(&[(ONE, 2.0), (HALF_TURN_X, 1.0), (HALF_TURN_Y, 1.0)]), Some([0.5, 0.25, 0.25, 0.0]));
+        assert_eq!(sum(&[(ONE, -2.0), (HALF_TURN_X, -1.0), (HALF_TURN_Y, -1.0)]), Some([0.5, 0.25, 0.25, 0.0]));
+        assert_eq!(sum(&[(ONE, 3.0), (HALF_TURN_X, -1.0)]), Some([0.75, -0.25, 0.0, 0.0]));
+        assert_eq!(sum(&[(ONE, 1e300), (HALF_TURN_X, 1e300)]), Some([0.5, 0.5, 0.0, 0.0]));
+    }
+
+    #[test]
+    fn the_sum_has_the_sign_of_the_heaviest_whatever_the_others() {
+        let near = Rotor { s: FRAC_1_SQRT_2, e23: FRAC_1_SQRT_2, ..ONE };
+        let expected = [0.75 + 0.25 * FRAC_1_SQRT_2, 0.25 * FRAC_1_SQRT_2, 0.0, 0.0];
+        for other in [near, -near] {
+            assert_eq!(sum(&[(ONE, 3.0), (other, 1.0)]), Some(expected));
+            assert_eq!(sum(&[(other, 1.0), (-ONE, 3.0)]), Some(expected.map(|coefficient| -coefficient)));
+        }
+    }
+
+    #[test]
+    fn equal_weights_give_the_same_in_any_order() {
+        let inputs = [(ONE, 1.0), (HALF_TURN_X, 1.0), (-HALF_TURN_Y, 1.0)];
+        let [a, b, c] = inputs;
+        let expected = sum(&inputs).unwrap().map(f64::abs);
+        for order in [[a, b, c], [a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]] {
+            // The first coefficient decides which is last in the order of coefficients, so the identity has the sign.
+            let found = sum(&order).unwrap();
+            assert_eq!((found.map(f64::abs), found[0] > 0.0), (expected, true));
+        }
+        // Of two equal motions the one in its canonical sign is taken.
+        assert_eq!(sum(&[(ONE, 1.0), (-ONE, 1.0)]), sum(&[(-ONE, 1.0), (ONE, 1.0)]));
+        assert_eq!(sum(&[(ONE, 1.0), (-ONE, 1.0)]), Some([1.0, 0.0, 0.0, 0.0]));
+    }
+
+    #[test]
+    fn what_is_not_finite_or_has_no_weight_has_no_sum() {
+        assert_eq!(sum(&[]), None);
+        assert_eq!(sum(&[(ONE, 0.0), (HALF_TURN_X, 0.0)]), None);
+        assert_eq!(sum(&[(ONE, 1.0), (HALF_TURN_X, -1.0)]), None);
+        for wrong in [f64::NAN, f64::INFINITY] {
+            assert_eq!(sum(&[(ONE, wrong), (HALF_TURN_X, 1.0)]), None);
+            assert_eq!(sum(&[(ONE, 1.0), (Rotor { e12: wrong, ..ONE }, 0.0)]), None);
+        }
+    }
+
+    #[test]
+    fn rounding_is_one_epsilon_for_each_term_and_one_more() {
+        assert_eq!((rounding::<f64>(0), rounding::<f64>(7)), (f64::EPSILON, 8.0 * f64::EPSILON));
+        assert_eq!(rounding::<f32>(1), 2.0 * f32::EPSILON);
+    }
+}

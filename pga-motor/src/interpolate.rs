@@ -17,9 +17,9 @@ use crate::{EvenMultivector, Line, Motor, Real, Rotor, Translator, alignment, ke
 /// Interpolation: from this motion at t = 0 to another at t = 1.
 ///
 /// The end is `other` or its negative, the same motion, whichever is nearer: where the Euclidean parts' scalar product
-/// is negative, -b stands for b. So `other` = -`self` stays put, and motions exactly half a turn apart are joined by
-/// one of the two ways. Defined for every t as long as everything, t times the difference of the ends included, is finite,
-/// else NaN. Equal ends stay put, by `screw_lerp` up to rounding errors times t.
+/// is negative, -b stands for b. So `other` = -`self` stays put, and of the two ways between motions exactly half a
+/// turn apart the one to b as it stands is taken. Defined for every t as long as everything, t times the difference
+/// of the ends included, is finite, else NaN. Equal ends stay put, by `screw_lerp` up to rounding errors times t.
 ///
 /// In what follows 2 h is the angle between the two motions, h in \[0, pi/2\], and costs are for one call, beside
 /// multiplications and additions.
