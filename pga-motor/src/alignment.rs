@@ -65,7 +65,7 @@ where
 }
 
 /// The motor or its negative, whichever is nearer to the reference; between the two the one in its canonical sign.
-fn aligned<T, M, const N: usize>(motor: M, product_with_reference: T) -> M
+pub(crate) fn aligned<T, M, const N: usize>(motor: M, product_with_reference: T) -> M
 where
     T: Real,
     M: Copy + Neg<Output = M> + Into<[T; N]>,

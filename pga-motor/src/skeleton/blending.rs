@@ -3,8 +3,7 @@
 use core::fmt;
 
 use super::Skeleton;
-use crate::interpolate::blend_each;
-use crate::{Motor, Real};
+use crate::{EvenMultivector, Motor, Real, alignment, kernels};
 
 #[cfg(test)]
 mod tests;
@@ -52,10 +51,17 @@ pub enum BlendError {
         /// How many entries there are.
         found: usize,
     },
-    /// A weight is NaN or infinite, or negative where it must not be.
+    /// A weight is NaN, infinite or negative.
     Weight {
         /// The layer; `None` for the threshold.
         layer: Option<usize>,
+        /// The joint whose weight it is; `None` where it is that of the whole layer.
+        joint: Option<usize>,
+    },
+    /// A weight of a deviation is NaN or infinite.
+    WeightNotFinite {
+        /// The layer.
+        layer: usize,
         /// The joint whose weight it is; `None` where it is that of the whole layer.
         joint: Option<usize>,
     },
@@ -84,6 +90,12 @@ impl fmt::Display for BlendError {
             Self::Weight { layer: Some(layer), joint: Some(joint) } => {
                 write!(f, "layer {layer}, joint {joint}: expected a finite weight from 0 up, found another")
             }
+            Self::WeightNotFinite { layer, joint: None } => {
+                write!(f, "layer {layer}: expected a finite weight, found a NaN or an infinity")
+            }
+            Self::WeightNotFinite { layer, joint: Some(joint) } => {
+                write!(f, "layer {layer}, joint {joint}: expected a finite weight, found a NaN or an infinity")
+            }
             Self::NonFinite { layer, joint } => {
                 write!(f, "layer {layer}, joint {joint}: expected a finite motor, found a NaN or an infinity")
             }
@@ -93,8 +105,11 @@ impl fmt::Display for BlendError {
 
 impl core::error::Error for BlendError {}
 
-/// Blends layers: each joint is the weighted mean [`blend`](crate::blend) of its motors, whose signs are aligned to that of
-/// greatest weight, so the order of the layers changes the result by rounding only. Weights need not add up to 1.
+/// Blends layers: each joint is the weighted mean of its motors, normalised on the Study quadric. Weights need not add up to 1.
+///
+/// m and -m are the same motion; each motor enters with the sign that brings its rotation nearer to that of the rest pose. That is the
+/// same for all layers, so neither their order nor a change of weights makes a joint jump. Motions more than half a turn apart
+/// therefore meet on the side of the rest pose; where they are exactly opposite and cancel, the joint rests.
 ///
 /// Where the weights of a joint add up to less than `threshold`, its rest pose counts for what is missing. So layers fade out into
 /// the rest pose instead of keeping their proportions to the last; 0 keeps them, and only a joint that nothing moves is at rest.
@@ -133,11 +148,25 @@ pub fn blend_poses<T: Real>(
         let moving = layers.iter().map(|layer| (layer, layer.weight_of(joint))).filter(|(_, weight)| *weight > T::ZERO);
         let total = moving.clone().fold(T::ZERO, |total, (_, weight)| total + weight);
         let missing = if total < threshold { Some((rest, threshold - total)) } else { None };
-        let inputs = moving.map(|(layer, weight)| (layer.pose[joint], weight)).chain(missing);
-        // Weights from 0 up do not cancel, and everything is finite: only where there is no input, there is no mean.
-        *out = blend_each(inputs).unwrap_or(rest);
+        *out = mean(rest, moving.map(|(layer, weight)| (layer.pose[joint], weight)).chain(missing)).unwrap_or(rest);
     }
     Ok(())
+}
+
+/// The mean of motors with positive weights, each with the sign that brings its rotation nearer to the reference; `None` where there are
+/// none, or they cancel.
+fn mean<T: Real>(reference: Motor<T>, inputs: impl Iterator<Item = (Motor<T>, T)> + Clone) -> Option<Motor<T>> {
+    // In units of the greatest weight, so that no sum leaves the range of the numbers.
+    let largest = inputs.clone().fold(T::ZERO, |largest, (_, weight)| if weight > largest { weight } else { largest });
+    let (mut sum, mut total, mut count) = (EvenMultivector::ZERO, T::ZERO, 0);
+    for (motor, weight) in inputs {
+        let part = weight / largest;
+        let cosine = kernels::rotor_scalar_product_rotor(reference.rotor(), motor.rotor());
+        sum += alignment::aligned::<T, Motor<T>, 8>(motor, cosine) * part;
+        total = total + part;
+        count += 1;
+    }
+    if sum.norm() <= total * alignment::rounding(count) { None } else { sum.normalize() }
 }
 
 /// Adds layers of deviations on top of a pose, one after the other: `pose[i] = pose[i] * deviation[i]^weight`.
@@ -147,10 +176,13 @@ pub fn blend_poses<T: Real>(
 /// where several layers move the same joint. Nothing is allocated.
 ///
 /// # Errors
-/// [`BlendError`]; `pose` is then as it was. Weights are finite.
+/// [`BlendError`]; `pose` is then as it was. Weights are finite. A weight by which a deviation leaves the range of the numbers gives NaN.
 pub fn add_layers<T: Real>(layers: &[Layer<'_, T>], pose: &mut [Motor<T>]) -> Result<(), BlendError> {
     for (index, layer) in layers.iter().enumerate() {
-        check_layer(index, layer, pose.len(), T::is_finite)?;
+        check_layer(index, layer, pose.len(), T::is_finite).map_err(|error| match error {
+            BlendError::Weight { layer: Some(layer), joint } => BlendError::WeightNotFinite { layer, joint },
+            other => other,
+        })?;
     }
     for layer in layers {
         for (joint, local) in pose.iter_mut().enumerate() {
@@ -167,16 +199,15 @@ pub fn add_layers<T: Real>(layers: &[Layer<'_, T>], pose: &mut [Motor<T>]) -> Re
 /// on top of the reference it gives the pose again.
 ///
 /// # Errors
-/// [`BlendError::Length`] where `reference` (layer 0), `pose` (layer 1) and `out` are not of one length; `out` is then as it was.
+/// [`BlendError::Length`] where `pose` (layer 1) or `out` is not as long as `reference`; `out` is then as it was.
 pub fn deviation_into<T: Real>(
     reference: &[Motor<T>],
     pose: &[Motor<T>],
     out: &mut [Motor<T>],
 ) -> Result<(), BlendError> {
-    for (layer, found) in [reference.len(), pose.len()].into_iter().enumerate() {
-        if found != out.len() {
-            return Err(BlendError::Length { layer: Some(layer), expected: out.len(), found });
-        }
+    check_result(reference.len(), out.len())?;
+    if pose.len() != reference.len() {
+        return Err(BlendError::Length { layer: Some(1), expected: reference.len(), found: pose.len() });
     }
     for (out, (reference, &pose)) in out.iter_mut().zip(reference.iter().zip(pose)) {
         *out = reference.reverse() * pose;

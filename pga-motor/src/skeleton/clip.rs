@@ -11,7 +11,7 @@ pub use cache::ScrewCache;
 pub use error::ClipError;
 pub use sample::{Interpolation, KeySpan, Wrap};
 
-use super::rigidity::{is_rigid, tolerance};
+use super::rigidity::Rigidity;
 use crate::{Motor, Real, kernels};
 
 #[cfg(test)]
@@ -141,9 +141,10 @@ impl<T: Real> Clip<T> {
             return Err(ClipError::KeyCount { expected, found: keys.len() });
         }
         check_times(&times)?;
+        let rigidity = Rigidity::among(&keys);
         for index in 0..keys.len() {
             let (key, joint) = (index / joint_count, index % joint_count);
-            let motor = check_key(keys[index], key, joint)?;
+            let motor = check_key(&rigidity, keys[index], key, joint)?;
             let before = index.checked_sub(joint_count).map(|before| keys[before]);
             keys[index] = before.map_or(motor, |before| nearest_sign(before, motor));
         }
@@ -181,7 +182,12 @@ fn check_times<T: Real>(times: &[T]) -> Result<(), ClipError> {
 }
 
 /// The motor, brought back to unit if it is a little off.
-fn check_key<T: Real>(motor: Motor<T>, key: usize, joint: usize) -> Result<Motor<T>, ClipError> {
+fn check_key<T: Real>(
+    rigidity: &Rigidity<T>,
+    motor: Motor<T>,
+    key: usize,
+    joint: usize,
+) -> Result<Motor<T>, ClipError> {
     if !motor.is_finite() {
         return Err(ClipError::NonFinite { key, joint });
     }
@@ -189,12 +195,7 @@ fn check_key<T: Real>(motor: Motor<T>, key: usize, joint: usize) -> Result<Motor
     if [s, e23, e31, e12] == [T::ZERO; 4] {
         return Err(ClipError::ZeroKey { key, joint });
     }
-    if !is_rigid(motor, tolerance()) {
-        return Err(ClipError::NotRigid { key, joint });
-    }
-    // What products of unit motors leave behind stays as it is, so that keys are what was handed in.
-    let rounding = T::from_ratio(64, 1) * T::EPSILON;
-    Ok(if is_rigid(motor, rounding) { motor } else { motor.renormalize() })
+    rigidity.brought_back(motor).ok_or(ClipError::NotRigid { key, joint })
 }
 
 /// The motor or its negative, the same motion, whichever is nearer in its rotation.

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::kinematics::check_length;
 use super::order::{depth_first, first_on_cycle};
-use super::rigidity::{is_rigid, tolerance};
+use super::rigidity::Rigidity;
 use super::{Joint, Pose, SkeletonError};
 use crate::{Motor, Real};
 
@@ -67,7 +67,8 @@ impl<T> Skeleton<T> {
 
 impl<T: Real> Skeleton<T> {
     /// Builds a skeleton from joints in any order, each as `(name, parent, rest)`: the parent is an index into the same list, or
-    /// `None` for a root, and `rest` the joint's local motor at rest. The bind pose is taken to be the rest pose.
+    /// `None` for a root, and `rest` the joint's local motor at rest, brought back to unit if it is a little off. The bind pose is
+    /// taken to be the rest pose.
     ///
     /// Returns the skeleton and the remap, which holds the new index of each joint at its old one. Children of one parent, and
     /// roots, keep the order they were given in; so a list that is depth-first already keeps its order altogether.
@@ -114,14 +115,14 @@ impl<T: Real> Skeleton<T> {
     /// [`SkeletonError::NotRigid`] where one is that; joints are counted in the skeleton's order.
     pub fn with_inv_bind_poses(mut self, inv_bind_poses: &[Motor<T>]) -> Result<Self, SkeletonError> {
         check_length("inv_bind_poses", self.len(), inv_bind_poses.len())?;
+        let rigidity = Rigidity::among(inv_bind_poses);
         for (joint, &motor) in inv_bind_poses.iter().enumerate() {
             if !motor.is_finite() {
                 return Err(SkeletonError::NonFinite { joint, name: self.names[joint].clone() });
             }
-            if !is_rigid(motor, tolerance()) {
-                return Err(SkeletonError::NotRigid { joint, name: self.names[joint].clone() });
-            }
-            self.joints[joint].inv_bind_pose = motor;
+            let motor = rigidity.brought_back(motor);
+            let fault = || SkeletonError::NotRigid { joint, name: self.names[joint].clone() };
+            self.joints[joint].inv_bind_pose = motor.ok_or_else(fault)?;
         }
         Ok(self)
     }
@@ -152,18 +153,20 @@ impl<T: Real> Listing<T> {
         self.names[joint].clone()
     }
 
-    /// Checks each joint by itself.
-    fn check(&self) -> Result<(), SkeletonError> {
-        let joints = self.len();
-        for (joint, (parent, rest)) in self.parents.iter().zip(&self.rests).enumerate() {
+    /// Checks each joint by itself, and brings rest motors back to unit.
+    fn check(&mut self) -> Result<(), SkeletonError> {
+        let (joints, rigidity) = (self.len(), Rigidity::among(&self.rests));
+        for (joint, (parent, rest)) in self.parents.iter().zip(&mut self.rests).enumerate() {
             if let Some(parent) = parent.filter(|&parent| parent >= joints) {
-                return Err(SkeletonError::ParentOutOfRange { joint, name: self.name(joint), parent, joints });
+                let name = self.names[joint].clone();
+                return Err(SkeletonError::ParentOutOfRange { joint, name, parent, joints });
             }
             if !rest.is_finite() {
-                return Err(SkeletonError::NonFinite { joint, name: self.name(joint) });
+                return Err(SkeletonError::NonFinite { joint, name: self.names[joint].clone() });
             }
-            if !is_rigid(*rest, tolerance()) {
-                return Err(SkeletonError::NotRigid { joint, name: self.name(joint) });
+            match rigidity.brought_back(*rest) {
+                Some(motor) => *rest = motor,
+                None => return Err(SkeletonError::NotRigid { joint, name: self.names[joint].clone() }),
             }
         }
         Ok(())

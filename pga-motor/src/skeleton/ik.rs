@@ -9,7 +9,7 @@ mod two_bone;
 use alloc::string::String;
 use core::fmt;
 
-pub use aim::Aim;
+pub use aim::{Aim, Upright};
 pub use two_bone::TwoBone;
 
 use super::Skeleton;
@@ -23,7 +23,7 @@ mod tests;
 pub enum Reach {
     /// To the target.
     Reached,
-    /// The target is too far away. Two bones are straight towards it; an aim has changed nothing.
+    /// The target is too far away for two bones, which are straight towards it.
     TooFar,
     /// The target is too near. Two bones are folded as far as they go, the end on the line to the target; an aim has changed nothing.
     TooNear,
@@ -125,7 +125,26 @@ impl<'a, T: Real> Posed<'a, T> {
     fn place(&self, joint: usize) -> Result<Point<T>, IkError> {
         let joints = self.skeleton.len();
         let model = self.model.get(joint).ok_or(IkError::NoSuchJoint { joint, joints })?;
-        finite("pose", model.transform_origin(), |point| point.is_finite())
+        finite("pose", self.pose[joint], |local| local.is_finite())?;
+        finite("model", *model, |model| model.is_finite())?;
+        finite("model", model.transform_origin(), |point| point.is_finite())
+    }
+
+    /// Where a joint's frame is in that of one above it. Unlike the difference of their places in the skeleton's space it is not less
+    /// exact where both are far from the origin.
+    fn between(&self, above: usize, joint: usize) -> Motor<T> {
+        let mut motor = self.pose[joint];
+        let mut parent = self.skeleton.parent(joint);
+        while let Some(joint) = parent.filter(|&joint| joint != above) {
+            motor = self.pose[joint] * motor;
+            parent = self.skeleton.parent(joint);
+        }
+        motor
+    }
+
+    /// The rotation from a joint's frame to the skeleton's space. The model motors have gathered rounding errors on the way down.
+    fn frame(&self, joint: usize) -> Rotor<T> {
+        self.model[joint].renormalize().rotor()
     }
 
     fn require_below(&self, joint: usize, ancestor: usize) -> Result<(), IkError> {
@@ -138,10 +157,11 @@ impl<'a, T: Real> Posed<'a, T> {
 
     /// Turns a joint about itself by part of a rotor given in the skeleton's space.
     fn turn(&mut self, joint: usize, rotor: Rotor<T>, weight: T) {
-        let frame = self.model[joint].rotor();
+        let frame = self.frame(joint);
         let own = frame.reverse() * rotor * frame;
         let part = if weight == T::ONE { own } else { Rotor::IDENTITY.slerp(own, weight) };
-        self.pose[joint] = self.pose[joint] * part;
+        // Solved once a frame for hours, an error that a product hands on would grow.
+        self.pose[joint] = (self.pose[joint] * part).renormalize();
     }
 
     /// Works the model motors of a joint and of all below it out anew.

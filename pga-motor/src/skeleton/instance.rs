@@ -63,6 +63,8 @@ pub fn animate_keyframe<T: Scalar>(
     pose: &[Motor<T>],
 ) -> Result<(), SkeletonError> {
     check_length("joint_positions", skeleton.len(), instance.joint_positions.len())?;
+    check_length("instance", skeleton.len(), instance.model.len())?;
+    check_length("pose", skeleton.len(), pose.len())?;
     local_to_model(skeleton, pose, &mut instance.model)?;
     for (position, &model) in instance.joint_positions.iter_mut().zip(&instance.model) {
         *position = (instance.world * model).transform_origin();
@@ -86,13 +88,15 @@ pub fn animate_sample<T: Real>(
     scratch: &mut [Motor<T>],
 ) -> Result<(), ClipError> {
     let expected = skeleton.len();
-    for found in [clip.joint_count(), instance.joint_positions.len()] {
+    let instance_joints = [("instance", instance.joint_positions.len()), ("instance", instance.model.len())];
+    for (what, found) in [("clip", clip.joint_count())].into_iter().chain(instance_joints) {
         if found != expected {
-            return Err(ClipError::JointCount { expected, found });
+            return Err(ClipError::JointCount { what, expected, found });
         }
     }
     clip.sample_into(time, interpolation, wrap, scratch)?;
-    animate_keyframe(skeleton, instance, scratch).map_err(|_| ClipError::PoseLength { expected, found: scratch.len() })
+    animate_keyframe(skeleton, instance, scratch).expect("invariant: buffers of the skeleton's length");
+    Ok(())
 }
 
 /// The motors that carry a mesh from where it was bound to where the joints are now: `out[i] = model[i] * inv_bind_pose[i]`.

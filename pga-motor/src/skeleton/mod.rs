@@ -72,12 +72,12 @@ pub use blending::{BlendError, Layer, add_layers, blend_poses, deviation_into};
 pub use clip::{Clip, ClipError, Interpolation, JointModes, KeyMode, KeySpan, ScrewCache, Wrap};
 pub use error::SkeletonError;
 pub use hierarchy::Skeleton;
-pub use ik::{Aim, IkError, Reach, TwoBone};
+pub use ik::{Aim, IkError, Reach, TwoBone, Upright};
 pub use instance::{SkeletonInstance, animate_keyframe, animate_sample, skinning_motors};
 pub use joint::Joint;
 pub use kinematics::local_to_model;
 #[cfg(feature = "rayon")]
-pub use parallel::{Character, animate_characters};
+pub use parallel::{Character, CrowdError, animate_characters};
 pub use pose::Pose;
 pub use retarget::{Retarget, Unmatched};
 pub use root_motion::{RootMotion, RootMotionError, RootMotionPart};

@@ -1,5 +1,7 @@
 //! Many characters at once, on all cores.
 
+use core::fmt;
+
 use rayon::prelude::*;
 
 use super::{Clip, ClipError, Interpolation, Pose, Skeleton, SkeletonInstance, Wrap, animate_sample};
@@ -23,26 +25,50 @@ impl<T: Real> Character<T> {
     }
 }
 
+/// Which character of a crowd cannot be animated, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CrowdError {
+    /// Its index.
+    pub character: usize,
+    /// What is wrong with it.
+    pub error: ClipError,
+}
+
+impl fmt::Display for CrowdError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "character {}: {}", self.character, self.error)
+    }
+}
+
+impl core::error::Error for CrowdError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        Some(&self.error)
+    }
+}
+
 /// [`animate_sample`] for each of many characters of one skeleton and clip, spread over the threads of rayon's current pool. The
 /// results are those of one after the other, bit for bit.
 ///
 /// # Errors
-/// That of a character that cannot be animated, and its index; the others may have been, or not.
+/// That of the first character that cannot be animated; the others may have been, or not.
 pub fn animate_characters<T: Real + Send + Sync>(
     skeleton: &Skeleton<T>,
     clip: &Clip<T>,
     interpolation: Interpolation,
     wrap: Wrap,
     characters: &mut [Character<T>],
-) -> Result<(), (usize, ClipError)> {
-    characters.par_iter_mut().enumerate().try_for_each(|(index, character)| {
+) -> Result<(), CrowdError> {
+    let first_error = characters.par_iter_mut().enumerate().find_map_first(|(index, character)| {
         let Character { instance, time, pose } = character;
-        animate_sample(skeleton, instance, clip, *time, interpolation, wrap, pose).map_err(|error| (index, error))
-    })
+        let result = animate_sample(skeleton, instance, clip, *time, interpolation, wrap, pose);
+        result.err().map(|error| CrowdError { character: index, error })
+    });
+    first_error.map_or(Ok(()), Err)
 }
 
 #[cfg(test)]
 mod tests {
+    use alloc::string::ToString;
     use alloc::vec::Vec;
 
     use super::*;
@@ -64,6 +90,6 @@ mod tests {
         assert_eq!(crowd, expected);
         crowd[17].time = f64::NAN;
         let error = animate_characters(&skeleton, &clip, Interpolation::Screw, Wrap::Loop, &mut crowd).unwrap_err();
-        assert_eq!(error, (17, ClipError::SampleTime));
+        assert_eq!(error.to_string(), "character 17: expected a finite time to sample at, found a NaN or an infinity");
     }
 }

@@ -66,10 +66,15 @@ impl From<ClipError> for RootMotionError {
     }
 }
 
-/// The way of a character: for each time of a clip a motion that starts as the identity.
+/// The way of a character: for each time of a clip a motion from the origin, where what remains of the clip stays.
 ///
-/// [`RootMotion::extract`] takes it out of a clip. Played at the same time, the way times the remaining clip is what the whole clip
-/// was; and a game that adds up [`RootMotion::between`] frame by frame can loop the clip, or turn the character on its way.
+/// [`RootMotion::extract`] takes it out of a clip. At every key the way times what remains is what the whole clip was. Between keys that
+/// holds too where the same interpolation is used for all three: of [`RootMotionPart::All`] exactly, of [`RootMotionPart::Ground`] with
+/// [`Interpolation::Split`] exactly for the place, and for the rotation up to how a lean is split from a turn.
+///
+/// A game that multiplies [`RootMotion::between`] to the character's place, frame by frame, can loop the clip, start it anywhere, or turn
+/// the character on its way. Both are seen in the space of the joint's parent; where that is not the skeleton's space, as under a
+/// turned armature, carry the motion m over as a m ~a, with the parent's model motor a.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RootMotion<T> {
     way: Clip<T>,
@@ -79,7 +84,8 @@ impl<T: Real> RootMotion<T> {
     /// Takes the motion of a joint, in general the root, out of a clip: the way, and the clip without it. In every key the joint's
     /// local motor is way * what remains.
     ///
-    /// Of [`RootMotionPart::Ground`] the turn about `up` is the twist of the joint's rotation since the first key (the rotation is
+    /// What remains keeps the joint's rotation at the first key, and its height, at the origin of the ground. Of
+    /// [`RootMotionPart::Ground`] the turn about `up` is the twist of the joint's rotation since the first key (the rotation is
     /// swing * twist); where that has none, in half a turn about a horizontal axis, the twist of the key before counts.
     ///
     /// # Errors
@@ -95,18 +101,22 @@ impl<T: Real> RootMotion<T> {
         };
         let mut ways: Vec<Motor<T>> = Vec::with_capacity(clip.key_count());
         let mut remaining: Vec<Motor<T>> = Vec::with_capacity(clip.key_count() * joints);
-        let start = clip.joints_of(0)[joint];
+        let start = clip.joints_of(0)[joint].rotor();
+        let mut twist_before = Rotor::IDENTITY;
         for key in 0..clip.key_count() {
             let motors = clip.joints_of(key);
             let local = motors[joint];
-            let way = match up {
-                None => local * start.reverse(),
-                Some(up) => ground_way(start, local, up, ways.last().copied().unwrap_or(Motor::IDENTITY)),
+            let (way, rest) = match up {
+                None => (local * start.reverse(), start.into()),
+                Some(up) => {
+                    twist_before = twist(local.rotor() * start.reverse(), up).unwrap_or(twist_before);
+                    split_at_ground(local, twist_before, up)
+                }
             };
             ways.push(way);
             let first = remaining.len();
             remaining.extend_from_slice(motors);
-            remaining[first + joint] = way.reverse() * local;
+            remaining[first + joint] = rest;
         }
         let times = clip.times().to_vec();
         let way = Clip::new(1, times.clone(), ways)?.with_modes(clip.modes()[joint..=joint].to_vec())?;
@@ -119,45 +129,45 @@ impl<T: Real> RootMotion<T> {
         &self.way
     }
 
-    /// The motion from the start of the clip to a time in seconds. With [`Wrap::Loop`] each round goes on from where the one before
+    /// The way at a time in seconds. With [`Wrap::Loop`] each round goes on from where the one before
     /// ended, so there is no jump, and times before the clip go backwards.
     ///
     /// # Errors
-    /// [`ClipError::SampleTime`] for a time that is not finite.
+    /// [`ClipError::SampleTime`] for a time that is not finite, [`ClipError::OutOfRange`] where many rounds lead out of the range of the
+    /// numbers.
     pub fn at(&self, time: T, interpolation: Interpolation, wrap: Wrap) -> Result<Motor<T>, ClipError> {
+        let (inside, rounds) = self.way.wrapped(time, wrap).ok_or(ClipError::SampleTime)?;
         let mut way = [Motor::<T>::IDENTITY];
-        self.way.sample_into(time, interpolation, wrap, &mut way)?;
-        let duration = self.way.duration();
-        if wrap == Wrap::Clamp || duration == T::ZERO {
-            return Ok(way[0]);
-        }
-        let rounds = self.way.rounds_before(time);
-        let round = self.way.joints_of(self.way.key_count() - 1)[0];
+        self.way.sample_into(inside, interpolation, Wrap::Clamp, &mut way)?;
         let [way] = way;
-        Ok(round.powf(rounds) * way)
+        if rounds == T::ZERO {
+            return Ok(way);
+        }
+        let (start, end) = (self.way.joints_of(0)[0], self.way.joints_of(self.way.key_count() - 1)[0]);
+        let way = (end * start.reverse()).powf(rounds) * way;
+        if way.is_finite() { Ok(way) } else { Err(ClipError::OutOfRange) }
     }
 
     /// The motion from one time to another, as the character sees it: `world * between(from, to)` is where a character gets that
     /// was at `world`.
     ///
     /// # Errors
-    /// [`ClipError::SampleTime`] for a time that is not finite.
+    /// [`ClipError::SampleTime`] for a time that is not finite, [`ClipError::OutOfRange`] where many rounds lead out of the range of the
+    /// numbers.
     pub fn between(&self, from: T, to: T, interpolation: Interpolation, wrap: Wrap) -> Result<Motor<T>, ClipError> {
         let from = self.at(from, interpolation, wrap)?;
         Ok(from.reverse() * self.at(to, interpolation, wrap)?)
     }
 }
 
-/// The way on the ground from where the joint was at the start to where it is now; `before` is the way so far.
-fn ground_way<T: Real>(start: Motor<T>, local: Motor<T>, up: Direction<T>, before: Motor<T>) -> Motor<T> {
-    let turn = (local * start.reverse()).rotor();
-    let twist = twist(turn, up).unwrap_or(before.rotor());
-    let on_ground = |motor: Motor<T>| {
-        let place = motor.translator().vector();
-        place - up * place.dot(up)
-    };
-    let (from, to) = (Translator::from_vector(on_ground(start)), Translator::from_vector(on_ground(local)));
-    to * twist * from.reverse()
+/// The way on the ground from the origin to where a joint is, with this turn about `up`, and what remains: the height and the rest of
+/// the rotation.
+fn split_at_ground<T: Real>(local: Motor<T>, twist: Rotor<T>, up: Direction<T>) -> (Motor<T>, Motor<T>) {
+    let place = local.translator().vector();
+    // Along `up`, which the twist leaves as it is.
+    let height = up * place.dot(up);
+    let motor = |rotor: Rotor<T>, place| Motor::from_rotor_translator(rotor, Translator::from_vector(place));
+    (motor(twist, place - height), motor(twist.reverse() * local.rotor(), height))
 }
 
 /// The rotation about a unit axis that is nearest to a rotor, which is swing * twist with the swing's axis perpendicular to it

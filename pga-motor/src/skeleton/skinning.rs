@@ -211,8 +211,10 @@ pub fn skin_normals_linear<T: Real, const N: usize>(
             *out = bound;
             continue;
         };
-        let sum = moved.fold(first, |sum, term| sum + term);
-        *out = sum.normalize().map_or(Direction::ZERO, |direction| direction * bound.norm());
+        let (sum, length) = (moved.fold(first, |sum, term| sum + term), bound.norm());
+        // Each term is as long as its weight allows, but for some roundings of the motor and of the product.
+        let cancels = sum.norm() <= T::from_ratio(16, 1) * T::EPSILON * length;
+        *out = sum.normalize().filter(|_| !cancels).map_or(Direction::ZERO, |direction| direction * length);
     }
     Ok(())
 }

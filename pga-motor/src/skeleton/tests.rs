@@ -245,6 +245,28 @@ fn rest_motors_must_be_finite_and_rigid() {
 }
 
 #[test]
+fn motors_a_little_off_unit_are_brought_back() {
+    let off = Motor { s: 1.0009, ..Motor::IDENTITY };
+    let mut joints = listed(&[None, Some(0)]);
+    joints[1].2 = off;
+    let (skeleton, _) = Skeleton::from_parents(joints).unwrap();
+    assert_eq!(skeleton.rest_pose()[1], Motor::IDENTITY);
+    let skeleton = skeleton.with_inv_bind_poses(&[off, off]).unwrap();
+    assert_eq!(skeleton.joints()[1].inv_bind_pose, Motor::IDENTITY);
+    // What is left where two translations cancel has no digits that are right, and is a motor all the same.
+    {
+        let [a, b] = [(); 2].map(|()| Translator::from_vector(Direction::new(30.0, -7.0, 2.0)) * Rotor::about_x(0.4));
+        assert!(Skeleton::from_parents([("a", None, a), ("b", Some(0), a.inverse() * b)]).is_ok());
+    }
+    // Translations next to 0 lose digits too.
+    let mut sequence = Sequence(8);
+    for _ in 0..100 {
+        let step = Translator::from_vector(sequence.direction() * 1e-322);
+        assert!(Skeleton::from_parents([("a", None, step * sequence.rotor())]).is_ok());
+    }
+}
+
+#[test]
 fn finite_rest_motors_may_not_add_up_to_infinity() {
     let far = Motor { e01: -1.0e308, ..Motor::IDENTITY };
     let mut joints = listed(&[Some(1), None]);
@@ -397,14 +419,19 @@ fn instances_and_clips_of_other_skeletons_are_refused() {
     let error = animate_keyframe(&small, &mut instance, small.rest_pose()).unwrap_err();
     assert_eq!(error.to_string(), "expected 1 motors in `joint_positions`, one for each joint, found 2");
     let error = animate_keyframe(&large, &mut instance, small.rest_pose()).unwrap_err();
-    assert_eq!(error.to_string(), "expected 2 motors in `locals`, one for each joint, found 1");
+    assert_eq!(error.to_string(), "expected 2 motors in `pose`, one for each joint, found 1");
     let clip = Clip::new(1, vec![0.0], vec![Motor::IDENTITY]).unwrap();
     let mut scratch = [Motor::IDENTITY; 2];
     let mut sample = |skeleton, scratch: &mut [Motor<f64>], time| {
         animate_sample(skeleton, &mut instance, &clip, time, Interpolation::Nlerp, Wrap::Clamp, scratch).unwrap_err()
     };
     let error = sample(&large, &mut scratch, 0.0);
-    assert_eq!(error.to_string(), "expected a clip of 2 joints, as many as the skeleton has, found 1");
-    assert_eq!(sample(&small, &mut scratch, 0.0), ClipError::JointCount { expected: 1, found: 2 });
+    assert_eq!(error.to_string(), "expected 2 joints in the clip, as many as the skeleton has, found 1");
+    let error = sample(&small, &mut scratch, 0.0);
+    assert_eq!(error.to_string(), "expected 1 joints in the instance, as many as the skeleton has, found 2");
     assert_eq!(instance, before);
+    // One whose public buffer was cut.
+    instance.joint_positions.truncate(1);
+    let error = animate_keyframe(&small, &mut instance, small.rest_pose()).unwrap_err();
+    assert_eq!(error.to_string(), "expected 1 motors in `instance`, one for each joint, found 2");
 }

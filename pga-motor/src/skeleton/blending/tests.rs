@@ -53,6 +53,28 @@ fn the_order_and_the_signs_of_layers_do_not_matter() {
     }
 }
 
+/// Three layers of which the first and the third would take each other's negative; neither is the reference.
+#[test]
+fn no_joint_jumps_where_another_layer_becomes_the_heaviest() {
+    let poses = [0.0, 150.0, -150.0].map(|degrees: f64| [turned(degrees.to_radians()); 2]);
+    let at = |weight: f64| {
+        blended(&[Layer::new(&poses[0], 1.0), Layer::new(&poses[1], weight), Layer::new(&poses[2], 0.999)], 0.0)
+    };
+    // A weight off by 1e-9 moves a mean of motors of norm 1, whose sum is longer than 1, by no more than that.
+    assert!((at(1.0 - 1e-9)[0] - at(1.0 + 1e-9)[0]).norm() < 1e-8);
+}
+
+#[test]
+fn opposite_half_turns_from_the_rest_pose_cancel_and_rest() {
+    let half_turn = Rotor { s: 0.0, e23: 0.0, e31: 0.0, e12: 1.0 };
+    let near = Rotor { s: f64::MIN_POSITIVE, e23: 0.0, e31: 0.0, e12: -1.0 };
+    let poses = [[M::from(half_turn); 2], [M::from(near); 2]];
+    assert_eq!(blended(&[Layer::new(&poses[0], 1.0), Layer::new(&poses[1], 1.0)], 0.0), [M::IDENTITY; 2]);
+    // Exact ones are the same motion, with either sign.
+    let poses = [[M::from(half_turn); 2], [-M::from(half_turn); 2]];
+    assert_eq!(blended(&[Layer::new(&poses[0], 1.0), Layer::new(&poses[1], 1.0)], 0.0)[0].s, 0.0);
+}
+
 #[test]
 fn only_the_proportions_of_weights_above_the_threshold_matter() {
     let poses = [[turned(0.2); 2], [turned(1.0); 2]];
@@ -150,7 +172,12 @@ fn faults_are_named_and_leave_the_result_alone() {
 
     let mut out = untouched;
     let error = add_layers(&[good, Layer::new(&pose, f64::NAN)], &mut out).unwrap_err();
-    assert_eq!((error, out), (BlendError::Weight { layer: Some(1), joint: None }, untouched));
+    assert_eq!(error.to_string(), "layer 1: expected a finite weight, found a NaN or an infinity");
+    let error = add_layers(&[good.with_joint_weights(&[1.0, f64::INFINITY])], &mut out).unwrap_err();
+    assert_eq!(error.to_string(), "layer 0, joint 1: expected a finite weight, found a NaN or an infinity");
+    assert_eq!(out, untouched);
+    let error = deviation_into(&pose, &pose, &mut out[..1]).unwrap_err();
+    assert_eq!((error, out), (BlendError::Length { layer: None, expected: 2, found: 1 }, untouched));
     let error = deviation_into(&pose, &pose[..1], &mut out).unwrap_err();
     assert_eq!((error, out), (BlendError::Length { layer: Some(1), expected: 2, found: 1 }, untouched));
 }

@@ -9,24 +9,26 @@ use crate::{Motor, Real, ScrewPath};
 /// The screws from one key of a clip to the next, one for each joint: what [`Interpolation::Screw`](super::Interpolation::Screw)
 /// works out anew for every sample, kept while samples fall between the same two keys.
 ///
-/// It belongs to one clip; [`ScrewCache::clear`] makes it ready for another. Memory: three motors for each joint.
+/// It may be handed any clip of as many joints: it looks whether its screws still join the two keys. Memory: three motors for each
+/// joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScrewCache<T> {
     paths: Vec<ScrewPath<T>>,
-    /// The keys that the paths join.
-    keys: Option<(usize, usize)>,
 }
 
 impl<T: Real> ScrewCache<T> {
-    /// A cache for clips of this many joints, with nothing in it yet.
+    /// A cache for clips of this many joints.
     pub fn new(joint_count: usize) -> Self {
-        let nothing = ScrewPath::new(Motor::IDENTITY, Motor::IDENTITY);
-        Self { paths: alloc::vec![nothing; joint_count], keys: None }
+        Self { paths: alloc::vec![ScrewPath::new(Motor::IDENTITY, Motor::IDENTITY); joint_count] }
     }
 
-    /// Forgets what is kept, as must be done before it is handed another clip.
-    pub fn clear(&mut self) {
-        self.keys = None;
+    /// Makes the paths those from the motors of one key to those of another.
+    fn join(&mut self, a: &[Motor<T>], b: &[Motor<T>]) {
+        for (path, (&a, &b)) in self.paths.iter_mut().zip(a.iter().zip(b)) {
+            if path.start() != a || (path.end() != b && path.end() != -b) {
+                *path = ScrewPath::new(a, b);
+            }
+        }
     }
 }
 
@@ -52,12 +54,7 @@ impl<T: Real> Clip<T> {
             pose.copy_from_slice(a);
             return Ok(());
         }
-        if cache.keys != Some((before, after)) {
-            for (path, (&a, &b)) in cache.paths.iter_mut().zip(a.iter().zip(b)) {
-                *path = ScrewPath::new(a, b);
-            }
-            cache.keys = Some((before, after));
-        }
+        cache.join(a, b);
         for (joint, (local, path)) in pose.iter_mut().zip(&cache.paths).enumerate() {
             let modes = self.modes()[joint];
             *local = if modes == JointModes::default() {

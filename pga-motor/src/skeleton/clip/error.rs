@@ -67,13 +67,17 @@ pub enum ClipError {
     },
     /// The time asked for is NaN or infinite.
     SampleTime,
-    /// The skeleton, or what else was handed in, has another number of joints than the clip.
+    /// A clip or an instance has another number of joints than the skeleton.
     JointCount {
+        /// Which of them: `"clip"` or `"instance"`.
+        what: &'static str,
         /// How many joints the skeleton has.
         expected: usize,
-        /// How many joints the clip has.
+        /// How many joints it has.
         found: usize,
     },
+    /// What was asked for leaves the range of the numbers: a way of very many rounds.
+    OutOfRange,
 }
 
 impl fmt::Display for ClipError {
@@ -105,9 +109,10 @@ impl fmt::Display for ClipError {
                 write!(f, "expected {expected} motors in the pose, one for each joint of the clip, found {found}")
             }
             Self::SampleTime => write!(f, "expected a finite time to sample at, found a NaN or an infinity"),
-            Self::JointCount { expected, found } => {
-                write!(f, "expected a clip of {expected} joints, as many as the skeleton has, found {found}")
+            Self::JointCount { what, expected, found } => {
+                write!(f, "expected {expected} joints in the {what}, as many as the skeleton has, found {found}")
             }
+            Self::OutOfRange => write!(f, "expected a way in the range of the numbers, found one that leaves it"),
         }
     }
 }

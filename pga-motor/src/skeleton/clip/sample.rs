@@ -13,13 +13,13 @@ pub enum Interpolation {
     /// No interpolation: the key before holds.
     Step,
     /// [`Motor::nlerp`], the cheapest.
-    #[default]
     Nlerp,
     /// [`Motor::slerp`].
     Slerp,
     /// [`Motor::screw_lerp`].
     Screw,
     /// [`Motor::split_lerp`]: what glTF calls LINEAR, and what most programs export.
+    #[default]
     Split,
 }
 
@@ -79,41 +79,40 @@ impl<T: Real> Clip<T> {
         if passed == 0 || passed == times.len() {
             return KeySpan { before, after: before, fraction: T::ZERO };
         }
-        // Halves, as the distance of two finite times may be infinite. Rounding must not reach the next key.
+        let (from, to) = (times[before], times[passed]);
+        // The distance of two finite times may be infinite; that of their halves is not.
         let half = |time: T| time * T::from_ratio(1, 2);
-        let fraction = (half(time) - half(times[before])) / (half(times[passed]) - half(times[before]));
+        let (part, whole) = if (to - from).is_finite() {
+            (time - from, to - from)
+        } else {
+            (half(time) - half(from), half(to) - half(from))
+        };
+        let fraction = part / whole;
+        // Rounding must not reach the next key.
         let below_one = T::ONE - T::EPSILON;
         KeySpan { before, after: passed, fraction: if fraction < below_one { fraction } else { below_one } }
     }
 
-    /// The time within the clip that stands for any time; `None` for NaN and infinities.
-    fn wrapped(&self, time: T, wrap: Wrap) -> Option<T> {
+    /// The time within the clip that stands for any time, and the number of the round of a loop, negative before the clip; `None` for
+    /// NaN and infinities.
+    pub(in crate::skeleton) fn wrapped(&self, time: T, wrap: Wrap) -> Option<(T, T)> {
         if !time.is_finite() {
             return None;
         }
         let inside = self.start() <= time && time < self.end();
         if wrap == Wrap::Clamp || inside || self.key_count() == 1 {
-            return Some(time);
+            return Some((time, T::ZERO));
         }
-        Some(T::from_f64(self.start().to_f64() + self.seconds_into_round(time)))
-    }
-
-    /// How many whole rounds a loop has made before a time; negative before the clip starts. The clip has a duration.
-    pub(in crate::skeleton) fn rounds_before(&self, time: T) -> T {
-        let passed = time.to_f64() - self.start().to_f64() - self.seconds_into_round(time);
-        T::from_f64(passed / (self.end().to_f64() - self.start().to_f64()))
-    }
-
-    /// The seconds since the loop's present round began.
-    fn seconds_into_round(&self, time: T) -> f64 {
         let [start, end] = [self.start(), self.end()].map(Real::to_f64);
-        let remainder = (time.to_f64() - start) % (end - start);
-        if remainder < 0.0 { remainder + (end - start) } else { remainder }
+        let (passed, duration) = (time.to_f64() - start, end - start);
+        let remainder = passed % duration;
+        let position = if remainder < 0.0 { remainder + duration } else { remainder };
+        Some((T::from_f64(start + position), T::from_f64((passed - position) / duration)))
     }
 
     /// Where a time lies among the keys, for sampling.
     pub(super) fn span(&self, time: T, wrap: Wrap) -> Result<KeySpan<T>, ClipError> {
-        self.wrapped(time, wrap).map(|time| self.keys_around(time)).ok_or(ClipError::SampleTime)
+        self.wrapped(time, wrap).map(|(time, _)| self.keys_around(time)).ok_or(ClipError::SampleTime)
     }
 
     pub(super) fn check_pose(&self, found: usize) -> Result<(), ClipError> {

@@ -4,6 +4,16 @@ use super::{IkError, Posed, Reach, any_perpendicular, finite, perpendicular, sho
 use crate::skeleton::Skeleton;
 use crate::{Direction, Motor, Point, Real, Rotor};
 
+/// Which side of a joint is to be up: only what is perpendicular to the way to the target counts of both directions. Where either is
+/// parallel to that, nothing twists.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Upright<T> {
+    /// What is to point to the pole, in the joint's own frame: the top of a head. Of any length but 0.
+    pub up: Direction<T>,
+    /// Where it is to point, in the skeleton's space. Of any length but 0.
+    pub pole: Direction<T>,
+}
+
 /// A joint that turns to look at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aim<T> {
@@ -16,12 +26,8 @@ pub struct Aim<T> {
     pub offset: Direction<T>,
     /// What to look at, in the skeleton's space.
     pub target: Point<T>,
-    /// What in its own frame is to point to the side of the pole, as the top of a head does upwards. Only its part perpendicular to
-    /// the way to the target counts; without pole it is not used.
-    pub up: Direction<T>,
-    /// The side to which `up` is to point, in the skeleton's space. Without it, or where either is parallel to the way to the target,
-    /// nothing twists.
-    pub pole: Option<Direction<T>>,
+    /// What keeps it from twisting about the way to the target. Without it nothing twists.
+    pub upright: Option<Upright<T>>,
     /// How much of the turn is applied: 1 is all.
     pub weight: T,
 }
@@ -30,7 +36,7 @@ impl<T: Real> Aim<T> {
     /// A joint that turns the shortest way, looking from where it is, with all its weight.
     pub const fn new(joint: usize, forward: Direction<T>, target: Point<T>) -> Self {
         let offset = Direction::new(T::ZERO, T::ZERO, T::ZERO);
-        Self { joint, forward, offset, target, up: forward, pole: None, weight: T::ONE }
+        Self { joint, forward, offset, target, upright: None, weight: T::ONE }
     }
 
     /// Turns the joint in a pose, and brings the model motors of it and all below it up to date.
@@ -40,7 +46,7 @@ impl<T: Real> Aim<T> {
     /// Between opposite directions the joint turns about an axis perpendicular to them, deterministically some one.
     ///
     /// # Errors
-    /// [`IkError`]: no such joint, a forward direction or pole of length 0, something not finite, buffers of another length; the pose
+    /// [`IkError`]: no such joint, a direction of length 0, something not finite, buffers of another length; the pose
     /// is then as it was.
     ///
     /// ```
@@ -66,9 +72,9 @@ impl<T: Real> Aim<T> {
         let target = finite("target", self.target, |target| target.is_finite())?;
         let weight = finite("weight", self.weight, |weight| weight.is_finite())?;
         let offset = finite("offset", self.offset, |offset| offset.is_finite())?;
-        let up = finite("up", self.up, |up| up.is_finite())?;
         let forward = unit("forward", self.forward)?;
-        let pole = self.pole.map(|pole| unit("pole", pole)).transpose()?;
+        let upright = |Upright { up, pole }| Ok(Upright { up: unit("up", up)?, pole: unit("pole", pole)? });
+        let upright = self.upright.map(upright).transpose()?;
         let way = target - place;
         let Some(goal) = way.normalize() else { return Ok(Reach::NoDirection) };
 
@@ -76,12 +82,14 @@ impl<T: Real> Aim<T> {
             Ok(seen) => seen,
             Err(reach) => return Ok(reach),
         };
-        let frame = posed.model[self.joint];
+        let frame = posed.frame(self.joint);
         let seen = frame.transform_direction(seen);
-        let spare = perpendicular(frame.transform_direction(up), seen).unwrap_or_else(|| any_perpendicular(seen));
+        let up = upright.map(|upright| frame.transform_direction(upright.up));
+        let spare = up.and_then(|up| perpendicular(up, seen)).unwrap_or_else(|| any_perpendicular(seen));
         let swing = shortest_turn(seen, goal, spare);
-        let raised = swing.transform_direction(frame.transform_direction(up));
-        let turn = pole.map_or(Rotor::IDENTITY, |pole| twist(goal, raised, pole)) * swing;
+        let untwist =
+            up.zip(upright).map(|(up, Upright { pole, .. })| twist(goal, swing.transform_direction(up), pole));
+        let turn = untwist.unwrap_or(Rotor::IDENTITY) * swing;
         posed.turn(self.joint, turn, weight);
         posed.update(self.joint);
         Ok(Reach::Reached)
@@ -94,9 +102,8 @@ fn on_ray<T: Real>(offset: Direction<T>, forward: Direction<T>, distance: T) -> 
     let offset = offset / distance;
     let along = offset.dot(forward);
     let aside = (offset - forward * along).norm();
-    if aside > T::ONE {
-        return Err(Reach::TooNear);
-    }
+    // Where the quotient overflows, it is no number.
+    if aside.is_finite() && aside <= T::ONE { Ok(aside) } else { Err(Reach::TooNear) }?;
     let reach = ((T::ONE - aside) * (T::ONE + aside)).sqrt();
     if along > reach {
         return Err(Reach::TooNear);

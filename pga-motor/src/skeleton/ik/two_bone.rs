@@ -21,8 +21,9 @@ pub struct TwoBone<T> {
     /// The side on which `mid` is to be, seen from the line between `start` and the target, in the skeleton's space: where an elbow or
     /// knee points. Without it, or where it is parallel to that line, nothing twists.
     pub pole: Option<Direction<T>>,
-    /// The axis in the frame of `mid` about which it bends, counter-clockwise for a bone that folds up, where the bones are straight
-    /// and so do not tell. Without it, or where it runs along the bone, it is some axis perpendicular to the bone.
+    /// The axis in the frame of `mid` about which it bends, counter-clockwise for a bone that folds up, where the bones are straight, or
+    /// folded, to a thousandth, and so do not tell. Without it, or where it runs along the bone, it is what they tell all the same,
+    /// or some axis perpendicular to the bone.
     pub hinge: Option<Direction<T>>,
     /// How much of the turns is applied: 1 is all. Part of them reaches for the target along arcs.
     pub weight: T,
@@ -66,26 +67,31 @@ impl<T: Real> TwoBone<T> {
         model: &mut [Motor<T>],
     ) -> Result<Reach, IkError> {
         let mut posed = Posed::new(skeleton, pose, model)?;
-        let (start, mid, end) = (posed.place(self.start)?, posed.place(self.mid)?, posed.place(self.end)?);
+        let start = posed.place(self.start)?;
+        posed.place(self.mid)?;
+        posed.place(self.end)?;
         posed.require_below(self.mid, self.start)?;
         posed.require_below(self.end, self.mid)?;
         let target = finite("target", self.target, |target| target.is_finite())?;
         let weight = finite("weight", self.weight, |weight| weight.is_finite())?;
         let hinge = self.hinge.map(|hinge| unit("hinge", hinge)).transpose()?;
         let pole = self.pole.map(|pole| unit("pole", pole)).transpose()?;
-        let upper = Bone::between(self.start, mid - start, self.mid)?;
-        let lower = Bone::between(self.mid, end - mid, self.end)?;
+        let frames = (posed.frame(self.start), posed.frame(self.mid));
+        let upper = Bone::of(&posed, frames.0, self.start, self.mid)?;
+        let lower = Bone::of(&posed, frames.1, self.mid, self.end)?;
 
         let (distance, reach) = attainable(start.distance_to_point(target), upper.length, lower.length);
-        let hinge = hinge.map(|hinge| posed.model[self.mid].transform_direction(hinge));
+        let hinge = hinge.map(|hinge| frames.1.transform_direction(hinge));
         let axis = bending_axis(upper.direction, lower.direction, hinge);
-        let bend = about(axis, bend(upper, lower, distance));
+        // Straight first, for bones that are straight but for rounding errors may be bent about another axis.
+        let bend = about(axis, bend(upper, lower, distance)) * shortest_turn(lower.direction, upper.direction, axis);
         let bent = upper.direction * upper.length + bend.transform_direction(lower.direction) * lower.length;
         // Where the bones fold up to nothing, the lower one says where they pointed.
         let along = bent.normalize().unwrap_or(upper.direction);
         let goal = (target - start).normalize().unwrap_or(along);
         let swing = shortest_turn(along, goal, axis);
-        let side = swing.transform_direction(upper.direction);
+        // On which side `mid` is, though it be on the line.
+        let side = goal.cross(swing.transform_direction(axis));
         let turn = pole.map_or(Rotor::IDENTITY, |pole| twist(goal, side, pole)) * swing;
         // The bend is that of the frame in which the upper bone has not turned yet; as both turns are in the joints' own frames,
         // their order does not matter.
@@ -104,9 +110,11 @@ struct Bone<T> {
 }
 
 impl<T: Real> Bone<T> {
-    fn between(from: usize, vector: Direction<T>, to: usize) -> Result<Self, IkError> {
+    /// The bone from a joint, whose frame is given, to one below.
+    fn of(posed: &Posed<'_, T>, frame: Rotor<T>, from: usize, to: usize) -> Result<Self, IkError> {
+        let vector = finite("pose", posed.between(from, to).translator().vector(), |vector| vector.is_finite())?;
         let direction = vector.normalize().ok_or(IkError::NoBone { from, to })?;
-        Ok(Self { direction, length: vector.norm() })
+        Ok(Self { direction: frame.transform_direction(direction), length: vector.norm() })
     }
 }
 
@@ -127,23 +135,23 @@ fn attainable<T: Real>(asked: T, upper: T, lower: T) -> (T, Reach) {
 /// The unit axis about which the lower bone bends, perpendicular to the upper one.
 fn bending_axis<T: Real>(upper: Direction<T>, lower: Direction<T>, hinge: Option<Direction<T>>) -> Direction<T> {
     let bent = perpendicular(lower, upper).and_then(|side| upper.cross(side).normalize());
-    let hinged = || hinge.and_then(|hinge| perpendicular(hinge, upper));
-    bent.or_else(hinged).unwrap_or_else(|| any_perpendicular(upper))
+    let hinged = hinge.and_then(|hinge| perpendicular(hinge, upper));
+    let is_clear = upper.cross(lower).norm() > T::from_ratio(1, 1000);
+    let (first, second) = if is_clear { (bent, hinged) } else { (hinged, bent) };
+    first.or(second).unwrap_or_else(|| any_perpendicular(upper))
 }
 
-/// The angle by which the lower bone bends further so that the bones span a distance that they can span. Angles are those between the
-/// bones' directions: 0 is straight.
+/// The angle between the directions of the bones, 0 for straight ones, at which they span a distance that they can span.
 ///
 /// By the law of cosines for half angles, which loses nothing where the bones are nearly straight or folded: of the triangle's angle
 /// between bones a and b, opposite to c, the sine and cosine of the half are the roots of (c - a + b) (c + a - b) and
 /// (a + b - c) (a + b + c), both over 4 a b.
 fn bend<T: Real>(upper: Bone<T>, lower: Bone<T>, distance: T) -> T {
-    let now = upper.direction.cross(lower.direction).norm().atan2(upper.direction.dot(lower.direction));
     // In units of the longer bone, so that squares stay in range.
     let unit = if upper.length > lower.length { upper.length } else { lower.length };
     let (a, b, c) = (upper.length / unit, lower.length / unit, distance / unit);
     // Rounding may take a bound of the distance past itself.
     let root = |square: T| if square > T::ZERO { square.sqrt() } else { T::ZERO };
     let (sine, cosine) = (root((c - a + b) * (c + a - b)), root((a + b - c) * (a + b + c)));
-    T::from_ratio(2, 1) * cosine.atan2(sine) - now
+    T::from_ratio(2, 1) * cosine.atan2(sine)
 }

@@ -120,26 +120,79 @@ fn joints_without_a_namesake_are_reported_and_rest() {
         [("hip", None, rest), ("neck", Some(0), by(0.0, 4.0, 0.0)), ("hat", Some(1), rest), ("", Some(0), rest)];
     let (source, target) = (Skeleton::from_parents(source).unwrap().0, Skeleton::from_parents(target).unwrap().0);
     let mut retarget = Retarget::new(&source, &target);
-    let names = |names: &[&str]| names.iter().map(|&name| String::from(name)).collect::<Vec<_>>();
+    let names = |names: &[(usize, &str)]| names.iter().map(|&(joint, name)| (joint, String::from(name))).collect();
     let expected = Unmatched {
-        source: names(&["spine", "", "twin", "twin"]),
-        target: names(&["hat", ""]),
-        repeated: names(&["twin"]),
+        source: names(&[(1, "spine"), (3, ""), (4, "twin"), (5, "twin")]),
+        target: names(&[(2, "hat"), (3, "")]),
+        repeated: ["twin".into()].into(),
     };
     assert_eq!(retarget.unmatched(), &expected);
 
-    // The spine, which the target lacks, bends by a quarter turn: the neck turns as far, as the spine took it along.
+    // The spine, which the target lacks, bends by a quarter turn: the neck turns as far, as the spine takes it along, and gets from
+    // (0, 2) above the hip to (-1, 1). The target's is 4 above the hip, twice as much.
     let mut pose = source.rest_pose().clone();
     pose[1] = pose[1] * Rotor::about_z(core::f64::consts::FRAC_PI_2);
     let mut out = vec![M::IDENTITY; 4];
     retarget.pose_into(&pose, &mut out).unwrap();
-    assert!((out[1] - by(0.0, 4.0, 0.0) * Rotor::about_z(core::f64::consts::FRAC_PI_2)).norm() < 1e-15);
+    assert_near(&places(&target, &out)[1..2], &[Point::new(-2.0, 1.0 + 2.0, 0.0)]);
+    let turned = M::from(Rotor::about_z(core::f64::consts::FRAC_PI_2));
+    assert!((M::from(out[1].rotor()) - turned).norm() < 1e-15);
     assert_eq!((out[2], out[3]), (rest, rest));
 }
 
 #[test]
+fn what_a_joint_above_all_does_reaches_the_joints_of_the_same_names() {
+    let up = by(0.0, 2.0, 0.0);
+    let source = [("armature", None, M::IDENTITY), ("hips", Some(0), up), ("head", Some(1), up)];
+    let target = [("hips", None, up), ("neck", Some(0), by(0.0, 1.0, 0.0)), ("head", Some(1), by(0.0, 1.0, 0.0))];
+    let (source, target) = (Skeleton::from_parents(source).unwrap().0, Skeleton::from_parents(target).unwrap().0);
+    let pose = [by(5.0, 0.0, 1.0) * Rotor::about_z(1.0), up, up * Rotor::about_x(0.5)];
+    let mut out = vec![M::IDENTITY; 3];
+    Retarget::new(&source, &target).pose_into(&pose, &mut out).unwrap();
+    let (found, expected) = (places(&target, &out), places(&source, &pose));
+    assert_near(&[found[0], found[2]], &[expected[1], expected[2]]);
+}
+
+/// Of a bone of no length, differences of places would make one of 1e-16.
+#[test]
+fn a_bone_of_no_length_takes_the_ratio_of_all() {
+    let turn = Rotor::about_x(0.7) * Rotor::about_z(1.1);
+    let figure = |size: f64, twist: f64| {
+        let root = by(1.3, 2.7, 0.9) * turn;
+        let joints = [
+            ("root", None, root),
+            ("spine", Some(0), by(0.0, size, 0.1) * turn),
+            ("twist", Some(1), by(twist, 0.0, 0.0) * Rotor::about_y(0.4)),
+        ];
+        Skeleton::from_parents(joints).unwrap().0
+    };
+    for (from, to) in [(0.0, 0.5), (0.5, 0.0), (0.0, 0.0)] {
+        let (source, target) = (figure(1.0, from), figure(1.0, to));
+        let mut pose = source.rest_pose().clone();
+        pose[2] = by(0.001, 0.0, 0.0) * pose[2];
+        let mut out = vec![M::IDENTITY; 3];
+        Retarget::new(&source, &target).pose_into(&pose, &mut out).unwrap();
+        let step = out[2].transform_origin().x - to;
+        assert!((step - 0.001).abs() < 1e-15, "{step}");
+    }
+}
+
+#[test]
+fn what_holds_is_held_unless_a_joint_in_between_moves_it() {
+    let up = by(0.0, 1.0, 0.0);
+    let source = [("hip", None, up), ("spine", Some(0), up), ("neck", Some(1), up), ("head", Some(2), up)];
+    let target = [("hip", None, up), ("neck", Some(0), up), ("head", Some(1), up)];
+    let (source, target) = (Skeleton::from_parents(source).unwrap().0, Skeleton::from_parents(target).unwrap().0);
+    let step = JointModes { rotation: KeyMode::Step, translation: KeyMode::Step };
+    let linear_turn = JointModes { rotation: KeyMode::Linear, translation: KeyMode::Step };
+    let clip =
+        Clip::new(4, vec![0.0], source.rest_pose().to_vec()).unwrap().with_modes(vec![step, linear_turn, step, step]);
+    let carried = Retarget::new(&source, &target).clip(&clip.unwrap()).unwrap();
+    assert_eq!(carried.modes(), [step, JointModes::default(), step]);
+}
+
+#[test]
 fn a_clip_keeps_its_name_times_and_modes() {
-    use crate::skeleton::{JointModes, KeyMode};
     let (small, large) = (figure(1.0, |_| Rotor::IDENTITY), figure(2.0, |_| Rotor::about_x(0.5)));
     let mut keys = small.rest_pose().to_vec();
     keys.extend(posed(&small, 1.0));
@@ -153,7 +206,7 @@ fn a_clip_keeps_its_name_times_and_modes() {
     retarget.pose_into(&keys[4..], &mut out).unwrap();
     assert_near(&places(&large, carried.key(1).unwrap()), &places(&large, &out));
     let other = Clip::new(3, vec![0.0], vec![M::IDENTITY; 3]).unwrap();
-    assert_eq!(retarget.clip(&other).unwrap_err(), ClipError::JointCount { expected: 4, found: 3 });
+    assert_eq!(retarget.clip(&other).unwrap_err(), ClipError::JointCount { what: "clip", expected: 4, found: 3 });
 }
 
 #[test]
@@ -163,7 +216,7 @@ fn buffers_of_another_length_are_refused() {
     let untouched = [M { s: 7.0, ..M::IDENTITY }; 4];
     let mut out = untouched;
     let error = retarget.pose_into(&[M::IDENTITY; 3], &mut out).unwrap_err();
-    assert_eq!(error, SkeletonError::PoseLength { buffer: "locals", expected: 4, found: 3 });
+    assert_eq!(error, SkeletonError::PoseLength { buffer: "pose", expected: 4, found: 3 });
     let error = retarget.pose_into(&[M::IDENTITY; 4], &mut out[..2]).unwrap_err();
     assert_eq!(error, SkeletonError::PoseLength { buffer: "out", expected: 4, found: 2 });
     assert_eq!(out, untouched);

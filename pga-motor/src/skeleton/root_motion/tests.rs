@@ -44,7 +44,57 @@ fn the_way_times_what_remains_is_the_clip() {
             assert_near(motion.way().key(key).unwrap()[0] * remaining[0], whole[0]);
             assert_eq!(remaining[1], whole[1]);
         }
-        assert_near(motion.way().key(0).unwrap()[0], M::IDENTITY);
+        // It starts where the joint does, unturned.
+        assert_near(motion.way().key(0).unwrap()[0].rotor().into(), M::IDENTITY);
+    }
+}
+
+/// The place of the first joint, and a point beside it.
+fn probe(motor: M) -> [Point<f64>; 2] {
+    [motor.transform_origin(), motor.transform_point(Point::new(0.1, 0.2, 0.3))]
+}
+
+#[test]
+fn between_keys_the_way_times_what_remains_is_the_clip_too() {
+    let far = M::from(Translator::from_vector(Direction::new(300.0, 5.0, -200.0)));
+    let keys = (0..9).flat_map(|key| walk().key(key).unwrap().iter().map(|&motor| far * motor).collect::<Vec<_>>());
+    let clip = Clip::new(2, walk().times().to_vec(), keys.collect()).unwrap();
+    for (part, interpolation, allowed) in [
+        (RootMotionPart::All, Interpolation::Split, [1e-12; 2]),
+        (RootMotionPart::All, Interpolation::Screw, [1e-12; 2]),
+        (RootMotionPart::All, Interpolation::Nlerp, [1e-12; 2]),
+        // The lean of a fifth and the turn of 0.15 between two keys do not commute: the rotation is off by less than a
+        // thousandth, the place is not.
+        (GROUND, Interpolation::Split, [1e-12, 1e-3]),
+    ] {
+        let (motion, remaining) = RootMotion::extract(&clip, 0, part).unwrap();
+        for time in [1.03, 1.1, 1.6, 2.2, 2.99] {
+            let (mut whole, mut pose) = ([M::IDENTITY; 2], [M::IDENTITY; 2]);
+            clip.sample_into(time, interpolation, Wrap::Clamp, &mut whole).unwrap();
+            remaining.sample_into(time, interpolation, Wrap::Clamp, &mut pose).unwrap();
+            let found = probe(motion.at(time, interpolation, Wrap::Clamp).unwrap() * pose[0]);
+            for ((found, expected), allowed) in found.into_iter().zip(probe(whole[0])).zip(allowed) {
+                let off = found.distance_to_point(expected);
+                assert!(off < allowed, "{part:?} {interpolation:?}: off by {off} at {time}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_holds_in_the_clip_holds_on_the_way_and_after() {
+    use crate::skeleton::{JointModes, KeyMode};
+    let modes = vec![JointModes { rotation: KeyMode::Step, translation: KeyMode::Linear }, JointModes::default()];
+    let clip = walk().with_modes(modes.clone()).unwrap();
+    for part in [RootMotionPart::All, GROUND] {
+        let (motion, remaining) = RootMotion::extract(&clip, 0, part).unwrap();
+        assert_eq!((motion.way().modes(), remaining.modes()), (&modes[..1], &modes[..]));
+        for time in [1.1, 2.2, 2.25_f64.next_down(), 2.25] {
+            let (mut whole, mut pose) = ([M::IDENTITY; 2], [M::IDENTITY; 2]);
+            clip.sample_into(time, Interpolation::Split, Wrap::Clamp, &mut whole).unwrap();
+            remaining.sample_into(time, Interpolation::Split, Wrap::Clamp, &mut pose).unwrap();
+            assert_near(motion.at(time, Interpolation::Split, Wrap::Clamp).unwrap() * pose[0], whole[0]);
+        }
     }
 }
 
@@ -52,7 +102,7 @@ fn the_way_times_what_remains_is_the_clip() {
 fn what_remains_of_all_stays_put() {
     let (_, remaining) = RootMotion::extract(&walk(), 0, RootMotionPart::All).unwrap();
     for key in 0..remaining.key_count() {
-        assert_near(remaining.key(key).unwrap()[0], walk().key(0).unwrap()[0]);
+        assert_near(remaining.key(key).unwrap()[0], walk().key(0).unwrap()[0].rotor().into());
     }
 }
 
@@ -63,10 +113,10 @@ fn the_way_on_the_ground_neither_climbs_nor_leans() {
         let way = motion.way().key(key).unwrap()[0];
         let up = way.transform_direction(Direction::Y);
         assert!((up - Direction::Y).norm() < 1e-14 && way.transform_origin().y.abs() < 1e-14);
-        // The joint stays over the place where it was, at its height.
+        // The joint stays over the origin, at its height.
         let (place, whole) =
             (remaining.key(key).unwrap()[0].transform_origin(), walk().key(key).unwrap()[0].transform_origin());
-        assert!(place.distance_to_point(Point::new(0.0, whole.y, 2.0)) < 1e-13, "{place}");
+        assert!(place.distance_to_point(Point::new(0.0, whole.y, 0.0)) < 1e-13, "{place}");
     }
 }
 
@@ -100,7 +150,7 @@ fn rounds_go_on_where_the_one_before_ended() {
 #[test]
 fn steps_add_up_to_the_way() {
     let (motion, _) = RootMotion::extract(&walk(), 0, GROUND).unwrap();
-    let mut world = M::IDENTITY;
+    let mut world = motion.at(1.0, Interpolation::Screw, Wrap::Loop).unwrap();
     let step = 0.17;
     for frame in 0..100 {
         let time = 1.0 + step * f64::from(frame);
@@ -126,7 +176,20 @@ fn a_clip_of_one_key_goes_nowhere() {
     let clip = Clip::new(1, vec![4.0], vec![walk().key(3).unwrap()[0]]).unwrap();
     let (motion, remaining) = RootMotion::extract(&clip, 0, GROUND).unwrap();
     assert_near(motion.between(-8.0, 50.0, Interpolation::Nlerp, Wrap::Loop).unwrap(), M::IDENTITY);
-    assert_near(remaining.key(0).unwrap()[0], clip.key(0).unwrap()[0]);
+    assert_near(motion.way().key(0).unwrap()[0] * remaining.key(0).unwrap()[0], clip.key(0).unwrap()[0]);
+}
+
+#[test]
+fn the_last_moment_of_a_round_belongs_to_it() {
+    let keys = [0.0, 5.0].map(|x| M::from(Translator::from_vector(Direction::new(x, 0.0, 0.0))));
+    let clip = Clip::new(1, vec![-1.0, 1.0], keys.to_vec()).unwrap();
+    let (motion, _) = RootMotion::extract(&clip, 0, RootMotionPart::All).unwrap();
+    for (time, x) in [(1.0_f64.next_down(), 5.0), (1.0, 5.0), (3.0_f64.next_down(), 10.0), (-1.0_f64.next_up(), 0.0)] {
+        let found = motion.at(time, Interpolation::Split, Wrap::Loop).unwrap().transform_origin().x;
+        assert!((found - x).abs() < 1e-14, "{found} at {time}");
+    }
+    let error = motion.at(f64::MAX, Interpolation::Split, Wrap::Loop).unwrap_err();
+    assert_eq!(error.to_string(), "expected a way in the range of the numbers, found one that leaves it");
 }
 
 #[test]
