@@ -6,20 +6,20 @@ use std::path::Path;
 
 use serde_json::Value;
 
-pub type Outcome<T = ()> = Result<T, Box<dyn Error>>;
+pub(crate) type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 
 /// By rows.
-pub type Matrix = [[f64; 4]; 4];
+pub(crate) type Matrix = [[f64; 4]; 4];
 
 /// A file, its buffers loaded.
-pub struct Raw {
+pub(crate) struct Raw {
     json: Value,
     buffers: Vec<Vec<u8>>,
     parents: Vec<Option<usize>>,
 }
 
 impl Raw {
-    pub fn read(path: &Path) -> Outcome<Self> {
+    pub(crate) fn read(path: &Path) -> Outcome<Self> {
         let bytes = fs::read(path)?;
         let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes")) as usize;
         let (json, blob) = if bytes.starts_with(b"glTF") {
@@ -40,12 +40,12 @@ impl Raw {
         Ok(Self { json, buffers, parents })
     }
 
-    pub fn animations(&self) -> usize {
+    pub(crate) fn animations(&self) -> usize {
         list(&self.json["animations"]).len()
     }
 
     /// The matrix from each node to the file's space: at rest, or in an animation at a time.
-    pub fn world(&self, at: Option<(usize, f64)>) -> Vec<Matrix> {
+    pub(crate) fn world(&self, at: Option<(usize, f64)>) -> Vec<Matrix> {
         let locals: Vec<Matrix> = (0..self.parents.len()).map(|node| self.local(node, at)).collect();
         let chain = |node: usize| {
             let above = std::iter::successors(self.parents[node], |&parent| self.parents[parent]);
@@ -55,7 +55,7 @@ impl Raw {
     }
 
     /// The joints of each skin as nodes, with their inverse bind matrices.
-    pub fn skins(&self) -> Vec<Vec<(usize, Matrix)>> {
+    pub(crate) fn skins(&self) -> Vec<Vec<(usize, Matrix)>> {
         let skin = |skin: &Value| {
             let joints = list(&skin["joints"]).iter().map(number);
             let matrix = |joint: usize| match &skin["inverseBindMatrices"] {
@@ -174,12 +174,12 @@ impl Raw {
 
 const IDENTITY: Matrix = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
-pub fn multiply(a: Matrix, b: Matrix) -> Matrix {
+pub(crate) fn multiply(a: Matrix, b: Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| a[i][k] * b[k][j]).sum()))
 }
 
 /// Where a matrix takes a point.
-pub fn apply(a: Matrix, point: [f64; 3]) -> [f64; 3] {
+pub(crate) fn apply(a: Matrix, point: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| a[i][3] + (0..3).map(|j| a[i][j] * point[j]).sum::<f64>())
 }
 
@@ -215,7 +215,7 @@ fn real(value: &Value) -> f64 {
     f64::from(value.as_f64().expect("entries are numbers") as f32)
 }
 
-pub fn base64(text: &str) -> Vec<u8> {
+pub(crate) fn base64(text: &str) -> Vec<u8> {
     let digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let bits =
         text.chars().filter_map(|digit| digits.find(digit)).flat_map(|d| (0..6).rev().map(move |bit| d >> bit & 1));
