@@ -71,8 +71,8 @@ pub use place::{Named, Place, Property};
 pub use skin::Skin;
 pub use warning::Warning;
 
+use crate::Real;
 use crate::skeleton::{Clip, Skeleton};
-use crate::{Motor, Real};
 use buffers::{Buffers, Load, no_files};
 use document::Document;
 use hierarchy::Hierarchy;
@@ -188,11 +188,4 @@ fn parse_all<T: Real>(bytes: &[u8], load: Load<'_>) -> Result<Gltf<T>, GltfError
     let clips = clip::Reader::new(root, &hierarchy, &mut buffers, &mut warnings).read()?;
     let nodes = hierarchy.joints.iter().map(|joint| joint.node).collect();
     Ok(Gltf { skeleton, nodes, joints: hierarchy.listed, skins, clips, warnings })
-}
-
-/// A motor in another precision.
-fn cast<T: Real>(motor: Motor<f64>) -> Motor<T> {
-    let Motor { s, e23, e31, e12, e01, e02, e03, e0123 } = motor;
-    let [s, e23, e31, e12, e01, e02, e03, e0123] = [s, e23, e31, e12, e01, e02, e03, e0123].map(T::from_f64);
-    Motor { s, e23, e31, e12, e01, e02, e03, e0123 }
 }

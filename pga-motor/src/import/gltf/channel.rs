@@ -10,9 +10,8 @@ use ::gltf::json::validation::Checked;
 use super::buffers::{Buffers, Content, Elements};
 use super::curve::{Curve, Keys, Spline, length};
 use super::error::GltfReason;
-use super::hierarchy::ROUNDING;
 use super::place::Property;
-use super::similarity::{TOLERANCE, finite};
+use super::similarity::{ROUNDING, TOLERANCE, finite};
 
 /// What was brought in order in the quaternions of a channel.
 #[derive(Clone, Copy, Debug, Default)]

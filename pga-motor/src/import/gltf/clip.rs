@@ -8,14 +8,13 @@ use ::gltf::json::Root;
 use ::gltf::json::animation::{Animation, Sampler};
 
 use super::buffers::Buffers;
-use super::cast;
 use super::channel;
-use super::curve::{Curve, Keys};
+use super::curve::{Keys, Movement};
 use super::document::check_index;
 use super::error::{GltfError, GltfReason};
 use super::hierarchy::Hierarchy;
 use super::place::{Named, Place, Property, full_name};
-use super::similarity::rigid;
+use super::similarity::{cast, rigid};
 use super::spline::{refine_rotation, refine_translation};
 use super::tolerance::Tolerances;
 use super::warning::Warning;
@@ -25,13 +24,6 @@ use crate::{Motor, Real, Rotor};
 /// How many keys of joints all clips of a file together may have: a key of a clip counts once for each joint. What the channels of
 /// the file have may be three times as many.
 pub const MAX_JOINT_KEYS: usize = 1 << 23;
-
-/// What moves a joint, and by which channels.
-#[derive(Default)]
-pub(super) struct Movement {
-    pub(super) translation: Option<(usize, Curve<3>)>,
-    pub(super) rotation: Option<(usize, Curve<4>)>,
-}
 
 /// Reads animations.
 pub(super) struct Reader<'a, 'b> {

@@ -30,6 +30,13 @@ pub(super) struct Spline<const N: usize> {
     pub(super) cubics: Vec<[[f64; N]; 4]>,
 }
 
+/// What moves a joint, and by which channels.
+#[derive(Default)]
+pub(super) struct Movement {
+    pub(super) translation: Option<(usize, Curve<3>)>,
+    pub(super) rotation: Option<(usize, Curve<4>)>,
+}
+
 impl<const N: usize> Curve<N> {
     pub(super) fn is_spline(&self) -> bool {
         matches!(self, Self::Spline(_))

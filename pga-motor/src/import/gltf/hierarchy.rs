@@ -5,11 +5,10 @@ use alloc::vec::Vec;
 
 use ::gltf::json::Root;
 
-use super::cast;
 use super::document::{check_index, values};
 use super::error::{GltfError, GltfReason};
 use super::place::{Named, Place, full_name};
-use super::similarity::Similarity;
+use super::similarity::{ROUNDING, Similarity, cast};
 use super::warning::Warning;
 use crate::skeleton::{Skeleton, SkeletonError};
 use crate::{Motor, Real};
@@ -101,9 +100,6 @@ impl Hierarchy {
         models
     }
 }
-
-/// How far a quaternion of floating-point numbers may be off unit length without a word: some roundings in single precision.
-pub(super) const ROUNDING: f64 = 1e-6;
 
 /// The parent of each node. Fails where a node has several, or is its own ancestor.
 fn parents(root: &Root) -> Result<Vec<Option<usize>>, GltfError> {

@@ -5,11 +5,14 @@ use alloc::borrow::ToOwned;
 use ::gltf::json::Node;
 
 use super::error::GltfReason;
-use crate::{Direction, Motor, Rotor, Translator};
+use crate::{Direction, Motor, Real, Rotor, Translator};
 
 /// How far, relatively, scales may be apart to count as the same, and how far axes may be from perpendicular: what single
 /// precision and decimal text leave behind in a chain of products is below, what is meant is above.
 pub(super) const TOLERANCE: f64 = 1e-4;
+
+/// How far a quaternion of floating-point numbers may be off unit length without a word: some roundings in single precision.
+pub(super) const ROUNDING: f64 = 1e-6;
 
 /// Scales, then rotates, then translates.
 #[derive(Clone, Copy, Debug)]
@@ -75,6 +78,13 @@ impl Similarity {
 /// A rotation, then a translation.
 pub(super) fn rigid(rotation: Rotor<f64>, translation: Direction<f64>) -> Motor<f64> {
     Motor::from_rotor_translator(rotation, Translator::from_vector(translation))
+}
+
+/// A motor in another precision.
+pub(super) fn cast<T: Real>(motor: Motor<f64>) -> Motor<T> {
+    let Motor { s, e23, e31, e12, e01, e02, e03, e0123 } = motor;
+    let [s, e23, e31, e12, e01, e02, e03, e0123] = [s, e23, e31, e12, e01, e02, e03, e0123].map(T::from_f64);
+    Motor { s, e23, e31, e12, e01, e02, e03, e0123 }
 }
 
 /// Numbers that are finite.

@@ -8,12 +8,11 @@ use ::gltf::json::Root;
 use ::gltf::json::accessor::Type;
 
 use super::buffers::{Buffers, Content};
-use super::cast;
 use super::document::values;
 use super::error::{GltfError, GltfReason};
 use super::hierarchy::Hierarchy;
 use super::place::{Named, Place, full_name};
-use super::similarity::{Similarity, TOLERANCE, rigid};
+use super::similarity::{Similarity, TOLERANCE, cast, rigid};
 use crate::skeleton::Skeleton;
 use crate::{Motor, Real};
 

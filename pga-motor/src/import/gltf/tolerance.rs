@@ -2,8 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::clip::Movement;
-use super::curve::Curve;
+use super::curve::Movement;
 use super::hierarchy::Hierarchy;
 
 /// How far from its place a joint may be for keys in place of splines, relative to the skeleton's size. The promise is 1e-4; the
@@ -67,7 +66,7 @@ impl Tolerances {
 }
 
 fn count_splines(movement: &Movement) -> usize {
-    usize::from(movement.translation.as_ref().is_some_and(|(_, curve): &(_, Curve<3>)| curve.is_spline()))
+    usize::from(movement.translation.as_ref().is_some_and(|(_, curve)| curve.is_spline()))
         + usize::from(movement.rotation.as_ref().is_some_and(|(_, curve)| curve.is_spline()))
 }
 
