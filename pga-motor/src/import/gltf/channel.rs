@@ -34,11 +34,12 @@ pub(super) fn property(path: Checked<Path>) -> Option<Property> {
     }
 }
 
-/// How many keys a channel has, before any of them is read.
-pub(super) fn count_keys(buffers: &mut Buffers<'_>, sampler: &Sampler) -> Result<usize, GltfReason> {
+/// How many values a channel has, before any of them is read; at least one. Whether they are there is seen later.
+pub(super) fn count_values(buffers: &mut Buffers<'_>, sampler: &Sampler) -> Result<usize, GltfReason> {
+    let each = if interpolation(sampler)? == Interpolation::CubicSpline { 3 } else { 1 };
     match buffers.elements::<1>(sampler.input.value(), Type::Scalar, Content::Float)?.len() {
         0 => Err(GltfReason::NoKeys),
-        count => Ok(count),
+        keys => Ok(keys.saturating_mul(each)),
     }
 }
 

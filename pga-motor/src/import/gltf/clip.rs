@@ -21,8 +21,8 @@ use super::warning::Warning;
 use crate::skeleton::{Clip, ClipError, JointModes, KeyMode};
 use crate::{Motor, Real, Rotor};
 
-/// How many keys of joints all clips of a file together may have: a key of a clip counts once for each joint. What the channels of
-/// the file have may be three times as many.
+/// How many keys of joints all clips of a file together may have: a key of a clip counts once for each joint. Of values the channels
+/// of the file may have three times as many, tangents included.
 pub const MAX_JOINT_KEYS: usize = 1 << 23;
 
 /// Reads animations.
@@ -31,7 +31,7 @@ pub(super) struct Reader<'a, 'b> {
     pub(super) hierarchy: &'a Hierarchy,
     pub(super) buffers: &'a mut Buffers<'b>,
     pub(super) warnings: &'a mut Vec<Warning>,
-    channel_keys: Allowance,
+    values: Allowance,
     joint_keys: Allowance,
 }
 
@@ -42,9 +42,9 @@ impl<'a, 'b> Reader<'a, 'b> {
         buffers: &'a mut Buffers<'b>,
         warnings: &'a mut Vec<Warning>,
     ) -> Self {
-        let channel_keys = Allowance::new(3 * MAX_JOINT_KEYS, "keys of channels in all animations together");
+        let values = Allowance::new(3 * MAX_JOINT_KEYS, "values of channels in all animations together");
         let joint_keys = Allowance::new(MAX_JOINT_KEYS, "keys of joints in all clips together");
-        Self { root, hierarchy, buffers, warnings, channel_keys, joint_keys }
+        Self { root, hierarchy, buffers, warnings, values, joint_keys }
     }
 
     /// One clip for each animation, in the file's order.
@@ -110,7 +110,7 @@ impl<'a, 'b> Reader<'a, 'b> {
     ) -> Result<(), GltfReason> {
         let sampler = animation.channels[channel].sampler.value();
         let sampler: &Sampler = &animation.samplers[check_index("a sampler", sampler, animation.samplers.len())?];
-        self.channel_keys.spend(channel::count_keys(self.buffers, sampler)?)?;
+        self.values.spend(channel::count_values(self.buffers, sampler)?)?;
         match property {
             Property::Translation => {
                 let curve = channel::read_translation(self.buffers, sampler)?;
@@ -166,7 +166,7 @@ impl<'a, 'b> Reader<'a, 'b> {
                 added += if is_spline { refined.times.len() } else { 0 };
                 keys.rotation = Some(refined);
             }
-            self.channel_keys.spend(added).map_err(|reason| self.fault(index, reason))?;
+            self.values.spend(added).map_err(|reason| self.fault(index, reason))?;
             all.push(keys);
         }
         Ok(all)

@@ -159,7 +159,7 @@ pub enum GltfReason {
         /// What is counted.
         what: &'static str,
     },
-    /// A spline cannot be followed with as many keys as a channel may have.
+    /// A spline cannot be followed with as many keys as may be added to a channel.
     SplineTooWild {
         /// How many that are.
         limit: usize,
@@ -269,7 +269,7 @@ impl fmt::Display for GltfReason {
             }
             Self::TooManyKeys { limit, what } => write!(f, "expected at most {limit} {what}, found more"),
             Self::SplineTooWild { limit } => {
-                write!(f, "expected a spline that {limit} keys can follow, found one that needs more")
+                write!(f, "expected a spline that {limit} further keys can follow, found one that needs more")
             }
             Self::SkinScale { expected, found } => {
                 let (expected, found) = (*expected as f32, *found as f32);

@@ -74,7 +74,8 @@ impl Property {
 
 impl Named {
     fn new(kind: &str, index: usize, name: Option<&String>) -> Self {
-        Self { index, name: quote(&full_name(kind, index, name)) }
+        // Cut short before it is copied: a name may be as long as the file, and many errors and warnings have it.
+        Self { index, name: name.map_or_else(|| full_name(kind, index, None), |name| quote(name)) }
     }
 
     pub(super) fn node(root: &Root, index: usize) -> Self {

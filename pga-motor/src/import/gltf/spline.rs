@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 use super::curve::{Curve, Keys, Spline, length};
 use super::error::GltfReason;
 
-/// The most keys that a channel with a spline may come to have.
-pub(super) const MAX_CHANNEL_KEYS: usize = 1 << 16;
+/// The most keys that a channel with a spline may come to have on top of its own.
+const MAX_ADDED_KEYS: usize = 1 << 16;
 
 /// No tolerance is below some roundings of what it is for.
 const ROUNDING: f64 = 1e-13;
@@ -57,8 +57,9 @@ fn refine<const N: usize>(
                     rest.extend([(time, end, second), (start, time, first)]);
                 }
             }
-            if keys.times.len() + rest.len() > MAX_CHANNEL_KEYS.max(times.len()) {
-                return Err(GltfReason::SplineTooWild { limit: MAX_CHANNEL_KEYS });
+            // As many keys as spans are done, and one; what is beyond was added.
+            if keys.times.len() + rest.len() > key + 2 + MAX_ADDED_KEYS {
+                return Err(GltfReason::SplineTooWild { limit: MAX_ADDED_KEYS });
             }
         }
     }

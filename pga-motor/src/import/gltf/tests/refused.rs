@@ -237,7 +237,7 @@ fn animated_scale_is_named() {
 fn splines_that_no_keys_follow_are_named() {
     let wild = [[0.0; 3], [0.0; 3], [1e30, 0.0, 0.0], [1e30, 0.0, 0.0], [0.0; 3], [0.0; 3]];
     let error = nodes("", "").channel((1, "translation"), "CUBICSPLINE", &[0.0, 1.0], &wild).error();
-    let expected = "expected a spline that 65536 keys can follow, found one that needs more";
+    let expected = "expected a spline that 65536 further keys can follow, found one that needs more";
     assert_eq!(error, format!("animation 0 `kick`, channel 0 (translation of node 1 `knee`): {expected}"));
 }
 
