@@ -126,3 +126,6 @@ fn arc_deviation(cubic: &Cubic<4>) -> f64 {
     }
     1.25 / 4.0 * (6.0 * longest(&second) / least + 2.0 * speed * speed)
 }
+
+#[cfg(test)]
+mod tests;
