@@ -149,7 +149,7 @@ pub(super) fn read_rotation(buffers: &mut Buffers<'_>, sampler: &Sampler) -> Res
             mending.renormalized += 1;
             mending.worst = mending.worst.max(off_unit);
         }
-        if outputs.has_tangents {
+        if outputs.has_tangents && times.len() > 1 {
             values.push(value);
             continue;
         }

@@ -128,6 +128,10 @@ fn one_key_is_enough() {
     for time in [0.0, 1.5, 5.0] {
         assert_near(at(&file, time)[1], [2.0, 9.0, 0.0]);
     }
+    // The one key of a spline is made unit too.
+    let long = about_z(90.0).map(|x| x * 2.0);
+    let file = leg().channel((0, "rotation"), "CUBICSPLINE", &[1.0], &[[9.0; 4], long, [9.0; 4]]).read();
+    assert_near(at(&file, 0.0)[1], [4.0, 9.0, 0.0]);
 }
 
 #[test]
