@@ -39,7 +39,8 @@
 //! # Features
 //!
 //! `std` (default) or else `libm` provides square roots and trigonometry, [`Real`], for `f32` and `f64`; without either
-//! the polynomial kernels remain. `glam` adds conversions to and from glam, `proptest` strategies for the types, `rayon` crowds on all cores.
+//! the polynomial kernels remain. `glam` adds conversions to and from glam, `gltf` the reader of glTF files
+//! `import::gltf`, `proptest` strategies for the types, `rayon` crowds on all cores.
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 #![deny(unsafe_code)]
 
