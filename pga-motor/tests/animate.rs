@@ -263,7 +263,9 @@ fn pictures_are_written_and_said_so() {
     let page = scratch.path("page.html");
     let ended = run([&file, "-o", &page, "--interpolation", "slerp"]);
     assert_eq!((ended.code, ended.log.as_str()), (0, ""));
-    assert!(ended.out.ends_with(&format!("31 poses, 60 a second, by nlerp, screw, split, slerp written to {page}\n")));
+    assert!(
+        ended.out.ends_with(&format!("241 poses, 480 a second, by nlerp, screw, split, slerp written to {page}\n"))
+    );
     let html = fs::read_to_string(&page).expect("the page is there");
     assert!(html.contains("<title>a&lt;b&gt;&amp;.bvh</title>") && !html.contains("{{"));
     assert_eq!(html.matches("</script>").count(), 2, "a name must not end the script");
@@ -271,8 +273,8 @@ fn pictures_are_written_and_said_so() {
     let data = html.split_once(r#"id="data">"#).and_then(|(_, rest)| rest.split_once("</script>")).expect("data").0;
     let data: Value = serde_json::from_str(data).expect("the page's data is JSON");
     assert_eq!(data["names"], serde_json::json!(["shoulder", "</script>", "end of </script>"]));
-    // 31 poses of 3 points of 3 numbers of 4 bytes, four characters for three bytes.
-    assert_eq!(data["tracks"][3]["points"].as_str().map(str::len), Some(31 * 3 * 3 * 4 / 3 * 4));
+    // 241 poses of 3 points of 3 numbers of 4 bytes, four characters for three bytes.
+    assert_eq!(data["tracks"][3]["points"].as_str().map(str::len), Some(241 * 3 * 3 * 4 / 3 * 4));
 }
 
 #[test]

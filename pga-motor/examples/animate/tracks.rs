@@ -9,6 +9,9 @@ use super::player::Player;
 /// Poses in a second, where the clip is not too long for it.
 const RATE: f64 = 60.0;
 
+/// Poses of a short clip, so that it can be slowed down.
+const LEAST: usize = 241;
+
 /// Numbers in all tracks together; 12 MB as a page stores them.
 const MOST_NUMBERS: usize = 3_000_000;
 
@@ -79,7 +82,7 @@ impl Tracks {
 fn pose_count(duration: f64, numbers_in_a_pose: usize) -> usize {
     let room = MOST_NUMBERS / numbers_in_a_pose.max(1);
     // Where the product is larger than any count, the conversion gives the largest there is.
-    ((duration * RATE).ceil() as usize).saturating_add(1).min(room).max(2)
+    ((duration * RATE).ceil() as usize).saturating_add(1).max(LEAST).min(room).max(2)
 }
 
 /// Seen on a terminal only.
@@ -94,8 +97,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn long_clips_have_fewer_poses_a_second() {
-        assert_eq!(pose_count(0.5, 300), 31);
+    fn long_clips_have_fewer_poses_a_second_and_short_ones_more() {
+        assert_eq!(pose_count(0.5, 300), 241);
+        assert_eq!(pose_count(10.0, 300), 601);
         assert_eq!(pose_count(1e5, 300), 10_000);
         assert_eq!(pose_count(f64::MAX, usize::MAX), 2);
     }

@@ -8,6 +8,7 @@ const DASHES = { nlerp: [], screw: [10, 5], split: [2, 5] };
 const BONE = 0.02;
 const NEAREST = 0.05;
 const AWAY = 3.4;
+const SHADES = 8;
 // Seconds of a path before now and after.
 const AROUND = 2;
 
@@ -133,13 +134,19 @@ class Scene {
   }
 
   stroke(line, width, color) {
-    if (!line) return;
+    this.strokeAll([line], width, color);
+  }
+
+  strokeAll(lines, width, color) {
     const { pen } = this;
     pen.lineWidth = width;
     pen.strokeStyle = color;
     pen.beginPath();
-    pen.moveTo(...line.ends[0]);
-    pen.lineTo(...line.ends[1]);
+    for (const line of lines) {
+      if (!line) continue;
+      pen.moveTo(...line.ends[0]);
+      pen.lineTo(...line.ends[1]);
+    }
     pen.stroke();
   }
 
@@ -149,37 +156,32 @@ class Scene {
     const [tx, , tz] = this.camera.target;
     const reach = Math.ceil(3 / spacing);
     const [cx, cz] = [Math.round(tx / spacing), Math.round(tz / spacing)];
-    const [grid, strong] = [this.color("grid"), this.color("strong")];
+    const at = (i, j) => [i * spacing, 0, j * spacing];
+    // As few strokes as there are shades, for each of two colours.
+    const shades = Array.from({ length: 2 * SHADES }, () => []);
+    const add = (index, far, from, to) => {
+      const fade = Math.ceil(Math.min(1, 1.6 * (1 - far)) * SHADES) - 1;
+      if (fade >= 0) shades[2 * fade + (index % 5 === 0 ? 1 : 0)].push(this.camera.line(from, to));
+    };
     for (let line = -reach; line <= reach; line++) {
       for (let cell = -reach; cell < reach; cell++) {
         const far = Math.hypot(line, cell + 0.5) / reach;
-        if (far >= 1) continue;
-        this.pen.globalAlpha = Math.min(1, 1.6 * (1 - far));
-        const along = index => (index % 5 === 0 ? strong : grid);
-        const [x, z] = [cx + line, cz + line];
-        const [z0, x0] = [cz + cell, cx + cell];
-        const at = (i, j) => [i * spacing, 0, j * spacing];
-        this.stroke(this.camera.line(at(x, z0), at(x, z0 + 1)), 1, along(x));
-        this.stroke(this.camera.line(at(x0, z), at(x0 + 1, z)), 1, along(z));
+        add(cx + line, far, at(cx + line, cz + cell), at(cx + line, cz + cell + 1));
+        add(cz + line, far, at(cx + cell, cz + line), at(cx + cell + 1, cz + line));
       }
     }
+    shades.forEach((lines, shade) => {
+      this.pen.globalAlpha = (Math.floor(shade / 2) + 1) / SHADES;
+      this.strokeAll(lines, 1, this.color(shade % 2 ? "strong" : "grid"));
+    });
     this.pen.globalAlpha = 1;
   }
 
   /** The figure laid flat on the ground by a sun straight above. */
   drawShadow(pose) {
     const flat = ([x, , z]) => [x, 0, z];
-    const { pen } = this;
-    pen.strokeStyle = this.color("shadow");
-    pen.lineWidth = BONE * this.camera.scaleAt(0);
-    pen.beginPath();
-    for (const [from, to] of data.bones) {
-      const line = this.camera.line(flat(pose[from]), flat(pose[to]));
-      if (!line) continue;
-      pen.moveTo(...line.ends[0]);
-      pen.lineTo(...line.ends[1]);
-    }
-    pen.stroke();
+    const lines = data.bones.map(([from, to]) => this.camera.line(flat(pose[from]), flat(pose[to])));
+    this.strokeAll(lines, BONE * this.camera.scaleAt(0), this.color("shadow"));
   }
 
   /** Bones in the colours of their sides, joints and heads, the far ones first. */
