@@ -35,6 +35,7 @@ Usage: animate [FILE.glb|FILE.gltf|FILE.bvh] [-o OUT.svg|OUT.html] [options]
 Poses the skeleton of a file at several times and draws the poses side by side, or
 writes a page that plays it in a browser. Without a file, plays a figure written in code,
 which has two clips, `waving` and `leaping`. glTF needs a build with `--features gltf`.
+A page holds 60 poses a second, fewer of a clip of some minutes and more of a short one.
 
   -o, --output OUT          where the picture goes (animate.svg): a filmstrip as .svg,
                             a page as .html
@@ -77,10 +78,10 @@ pub(crate) fn run(parser: lexopt::Parser, out: &mut dyn Write, log: &mut dyn Wri
 /// What is to be said on standard output when all is done.
 fn play(arguments: &Arguments, log: &mut dyn Write) -> Result<String, Box<dyn Error>> {
     let source = arguments.file.as_deref().map_or_else(|| Ok(Source::figure()), Source::open)?;
-    for warning in &source.warnings {
+    let clip = source.clip(arguments.clip.as_deref())?;
+    for warning in source.warnings(clip) {
         let _ = writeln!(log, "animate: {}: warning: {warning}", source.name);
     }
-    let clip = source.clip(arguments.clip.as_deref())?;
     let mut player = Player::new(&source, clip, arguments.every, arguments.interpolation)?;
     match &arguments.output {
         Output::Positions => positions::json(&mut player, arguments),

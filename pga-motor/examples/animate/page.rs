@@ -91,9 +91,12 @@ impl Page {
     /// What is in it, for people.
     pub(crate) fn content(&self) -> String {
         let names: Vec<_> = self.tracks.iter().map(|track| track.name).collect();
+        let names = names.join(", ");
         let [start, end] = self.span;
-        let rate = (self.pose_count - 1) as f64 / (end - start).max(f64::MIN_POSITIVE);
-        format!("{} poses, {rate:.0} a second, by {}", self.pose_count, names.join(", "))
+        match self.pose_count - 1 {
+            0 => "one pose".to_owned(),
+            steps => format!("{} poses, {:.0} a second, by {names}", self.pose_count, steps as f64 / (end - start)),
+        }
     }
 
     pub(crate) fn html(&self) -> String {

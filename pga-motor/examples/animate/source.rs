@@ -18,8 +18,14 @@ pub(crate) struct Source {
     pub(crate) joints: Vec<usize>,
     /// Where bones end beyond the last joints.
     pub(crate) tips: Vec<Tip<f64>>,
-    /// What the file has that is not played as it says.
-    pub(crate) warnings: Vec<String>,
+    warnings: Vec<Warning>,
+}
+
+/// What the file has that is not played as it says.
+struct Warning {
+    /// Of which clip; none if of the skeleton.
+    clip: Option<usize>,
+    text: String,
 }
 
 impl Source {
@@ -50,6 +56,12 @@ impl Source {
                 self.clips.iter().enumerate().map(|(i, clip)| format!("{i} `{}`", clip.name())).collect();
             format!("{}: expected one of the clips {}, found `{wanted}`", self.name, clips.join(", "))
         })
+    }
+
+    /// What is to be known before a clip is played.
+    pub(crate) fn warnings(&self, clip: usize) -> impl Iterator<Item = &str> {
+        let concerns = move |warning: &&Warning| warning.clip.is_none_or(|of| of == clip);
+        self.warnings.iter().filter(concerns).map(|warning| warning.text.as_str())
     }
 
     /// What a clip is called: its name, or its index if it has none.
