@@ -119,22 +119,19 @@ pub(crate) fn read_recipe(text: &str) -> syn::Result<Recipe> {
     }
 }
 
-/// Resolves an expression on its own: sums and products of these parameters, and blades in any order.
+/// Resolves an expression on its own, of these parameters and blades in any order; with the analytic function of it that
+/// is meant, if any.
 ///
 /// # Errors
-/// Names that stand for nothing, arguments that do not fit, an analytic function.
+/// Names that stand for nothing, arguments that do not fit, an analytic function inside an expression.
 #[cfg(feature = "check")]
 pub(crate) fn lower_expression(
     raw: &crate::syntax::RawExpression,
     basis: &Basis,
     names: &[String],
-) -> syn::Result<crate::kernel::Expression> {
+) -> syn::Result<(Option<Analytic>, crate::kernel::Expression)> {
     let parameters: Vec<_> = names.iter().map(|name| Parameter { name: name.clone(), entity: 0 }).collect();
-    let scope = Scope { basis, parameters: &parameters, any_order: true };
-    match scope.body(raw)? {
-        (None, expression) => Ok(expression),
-        (Some(_), _) => Err(syn::Error::new(raw.span, "expected sums and products, found an analytic function")),
-    }
+    Scope { basis, parameters: &parameters, any_order: true }.body(raw)
 }
 
 /// Takes a recipe for a program that the definition asks for, once.
@@ -309,7 +306,7 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
         return None;
     }
     let scope = Scope { basis: &definition.basis, parameters: &parameters, any_order: false };
-    let (analytic, expression) = match scope.body(&raw.expression) {
+    let (analytic, expression) = match scope.kernel_body(&raw.expression) {
         Ok(body) => body,
         Err(error) => {
             errors.absorb(error);

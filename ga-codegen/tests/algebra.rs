@@ -174,15 +174,28 @@ fn a_list_of_words_that_is_no_basis_says_where() {
     let not_a_blade = error(&["1", "e1", "e3", "e12"]);
     assert_eq!(not_a_blade.index, Some(2));
     assert_eq!(not_a_blade.kind, BasisErrorKind::NotABlade("e3".to_owned(), signature));
+    for word in ["e11", "e22", "e122", "e", "12", "x1", "e0", "e1x"] {
+        let not_a_blade = error(&["1", word]);
+        assert_eq!(not_a_blade.index, Some(1), "{word}");
+        let text = format!(
+            "expected a blade of Cl(2,0,0), found `{word}`: its generators are e1 e2, each at most once in a blade"
+        );
+        assert_eq!(not_a_blade.to_string(), text);
+    }
     let repeated = error(&["1", "e1", "e2", "e12", "e21"]);
+    assert_eq!(repeated.to_string(), "expected every blade once, found `e21` and `e12`, which are the same up to sign");
     assert_eq!(repeated.index, Some(4));
     assert_eq!(repeated.kind, BasisErrorKind::Repeated("e21".to_owned(), "e12".to_owned()));
     let missing = error(&["1", "e2"]);
     assert_eq!(missing.index, None);
     assert_eq!(missing.kind, BasisErrorKind::Missing(vec!["e1".to_owned(), "e12".to_owned()]));
+    assert_eq!(missing.to_string(), "expected every blade of the algebra, found none for `e1`, `e12`");
+    assert_eq!(error(&["e1", "e2", "e12"]).to_string(), "expected every blade of the algebra, found none for `1`");
     let taken = Basis::new(signature, [("1", "1"), ("x", "e1"), ("x", "e2")]).expect_err("a name twice");
+    assert_eq!(taken.to_string(), "expected distinct names, found `x` twice");
     assert_eq!((taken.index, taken.kind), (Some(2), BasisErrorKind::NameTaken("x".to_owned())));
     let large = Basis::canonical(Signature::new(9, 0, 0)).expect_err("too many generators");
+    assert_eq!(large.to_string(), "expected at most 8 generators, found Cl(9,0,0)");
     assert_eq!(large.kind, BasisErrorKind::TooManyGenerators(Signature::new(9, 0, 0)));
 }
 
@@ -239,4 +252,29 @@ fn trit_labels_are_the_published_ones() {
 fn a_blade_of_another_algebra_has_no_name() {
     let basis = Basis::canonical(Signature::new(2, 0, 0)).expect("at most 8 generators");
     basis.named(Blade(0b100));
+}
+
+#[test]
+fn a_signature_counts_its_generators() {
+    let signature = Signature::new(2, 3, 2);
+    assert_eq!((signature.positive(), signature.negative(), signature.null()), (2, 3, 2));
+    assert_eq!((signature.dimension(), signature.to_string()), (7, "Cl(2,3,2)".to_owned()));
+    let basis = Basis::canonical(signature).expect("at most 8 generators");
+    assert_eq!(basis.signature(), signature);
+    // Null ones first, then positive, then negative ones.
+    let square = |word: &str| {
+        let blade = basis.find(word).expect("a generator").blade;
+        blade.geometric(blade, signature).map(|(sign, _)| value(sign))
+    };
+    let squares = ["e0", "e1", "e2", "e3", "e4", "e5", "e6"].map(square);
+    assert_eq!(squares, [None, None, Some(1), Some(1), Some(-1), Some(-1), Some(-1)]);
+    assert_eq!(basis.find("e7"), None);
+}
+
+#[test]
+fn products_have_the_names_of_the_command_line() {
+    let names = Product::ALL.map(Product::name).join(" ");
+    let expected =
+        "geometric outer regressive inner left-contraction right-contraction scalar commutator anticommutator";
+    assert_eq!(names, expected);
 }

@@ -1,6 +1,7 @@
 //! Exact arithmetic: rationals and polynomials obey their laws or report an overflow, relations give unique normal forms,
 //! and power series satisfy the identities of the functions that they stand for.
 
+use ga_codegen::algebra::Sign;
 use ga_codegen::symbolic::{
     Monomial, Overflow, Polynomial, Rational, Relation, Relations, RelationsError, Series, SeriesError, SeriesRing,
     Symbol,
@@ -56,7 +57,7 @@ fn rationals_are_ordered_by_value() {
     ];
     for (i, a) in ascending.iter().enumerate() {
         for (j, b) in ascending.iter().enumerate() {
-            assert_eq!(a.cmp(b), i.cmp(&j), "{a} {b}");
+            assert_eq!((a.cmp(b), a.partial_cmp(b)), (i.cmp(&j), Some(i.cmp(&j))), "{a} {b}");
         }
     }
 }
@@ -94,6 +95,96 @@ fn an_overflow_in_a_polynomial_is_an_error_too() {
     assert_eq!(huge.neg().sub(&huge), Err(Overflow));
     assert_eq!(huge.scale(Rational::integer(2)), Err(Overflow));
     assert_eq!(huge.sub(&huge), Ok(Polynomial::zero()));
+}
+
+#[test]
+fn parts_of_rationals_are_what_they_are_called() {
+    let ratio = rational(-6, 8);
+    assert_eq!((ratio.numerator(), ratio.denominator(), ratio.to_f64()), (-3, 4, -0.75));
+    assert_eq!((ratio.neg(), ratio.abs(), ratio.neg().abs()), (rational(3, 4), rational(3, 4), rational(3, 4)));
+    assert_eq!([ratio, Rational::ZERO, Rational::ONE].map(Rational::is_negative), [true, false, false]);
+    assert_eq!([ratio, Rational::ZERO, Rational::ONE].map(Rational::is_zero), [false, true, false]);
+    assert_eq!((Rational::integer(-7).to_string(), Rational::integer(-7).denominator()), ("-7".to_owned(), 1));
+    assert_eq!(Overflow.to_string(), "exact arithmetic overflowed 128-bit rationals");
+}
+
+#[test]
+fn roots_of_rationals_are_exact_or_none() {
+    for (square, root) in [
+        (rational(9, 4), Some(rational(3, 2))),
+        (Rational::ZERO, Some(Rational::ZERO)),
+        (rational(1, 25), Some(rational(1, 5))),
+        (Rational::integer(2), None),
+        (rational(4, 3), None),
+        (rational(3, 4), None),
+        (Rational::integer(-4), None),
+        (rational(i128::MAX, 1), None),
+    ] {
+        assert_eq!(square.exact_root(), root, "{square}");
+    }
+}
+
+#[test]
+fn monomials_multiply_divide_and_have_a_least_common_multiple() {
+    let (a, b) = (monomial(&[2, 0, 2]), monomial(&[1, 2, 3]));
+    assert_eq!((a.symbols(), a.degree(), a.power(2), a.power(1)), (&[0, 2, 2][..], 3, 2, 0));
+    assert_eq!(a.times(&b).symbols(), [0, 1, 2, 2, 2, 3]);
+    assert_eq!(b.times(&a), a.times(&b));
+    assert_eq!(a.least_common_multiple(&b).symbols(), [0, 1, 2, 2, 3]);
+    assert_eq!(b.least_common_multiple(&a), a.least_common_multiple(&b));
+    assert_eq!(a.times(&b).divided_by(&b), Some(a.clone()));
+    assert_eq!((a.divided_by(&b), b.divided_by(&a)), (None, None));
+    assert_eq!((a.divided_by(&a), a.divided_by(&monomial(&[]))), (Some(monomial(&[])), Some(a.clone())));
+    assert_eq!((a.divided_by(&monomial(&[2])), a.divided_by(&monomial(&[2, 2, 2]))), (Some(monomial(&[0, 2])), None));
+}
+
+#[test]
+fn polynomials_are_written_with_signs_powers_and_names() {
+    let names = ["m.s", "p.x"].map(str::to_owned);
+    for (terms, text) in [
+        (&[][..], "0"),
+        (&[(1, &[][..])], "1"),
+        (&[(-1, &[])], "-1"),
+        (&[(1, &[0])], "m.s"),
+        (&[(-1, &[1])], "-p.x"),
+        (&[(2, &[0, 0]), (-3, &[0, 1]), (1, &[1, 1, 1])], "2 m.s^2 - 3 m.s p.x + p.x^3"),
+        (&[(-5, &[]), (1, &[0, 2])], "-5 + m.s x2"),
+    ] {
+        assert_eq!(polynomial(terms).display(&names), text);
+    }
+    let half = Polynomial::term(monomial(&[1]), rational(1, 2));
+    assert_eq!(half.display(&names), "1/2 p.x");
+}
+
+#[test]
+fn constants_are_told_from_other_polynomials() {
+    for (terms, constant) in [
+        (&[][..], Some(Rational::ZERO)),
+        (&[(-7, &[][..])], Some(Rational::integer(-7))),
+        (&[(1, &[0])], None),
+        (&[(1, &[]), (1, &[0])], None),
+    ] {
+        let polynomial = polynomial(terms);
+        assert_eq!((polynomial.as_constant(), polynomial.term_count()), (constant, terms.len()));
+        assert_eq!(polynomial.is_zero(), terms.is_empty());
+    }
+    assert!(
+        Polynomial::constant(Rational::ZERO).is_zero() && Polynomial::term(monomial(&[0]), Rational::ZERO).is_zero()
+    );
+    let sum = polynomial(&[(2, &[0]), (3, &[1])]);
+    assert_eq!(sum.coefficient(&monomial(&[1])), Rational::integer(3));
+    assert_eq!(sum.coefficient(&monomial(&[2])), Rational::ZERO);
+    assert_eq!(sum.clone().signed(Sign::Minus), sum.neg());
+    assert_eq!(sum.clone().signed(Sign::Plus), sum);
+    assert_eq!(sum.scale(rational(1, 2)).expect("small numbers").coefficient(&monomial(&[1])), rational(3, 2));
+}
+
+/// x0 + x1 x2 at x0 = x1 + 1 and x1 = 2: what is beyond the list stays.
+#[test]
+fn substitution_is_simultaneous() {
+    let sum = polynomial(&[(1, &[0]), (1, &[1, 2])]);
+    let values = [polynomial(&[(1, &[1]), (1, &[])]), polynomial(&[(2, &[])])];
+    assert_eq!(sum.substitute(&values), Ok(polynomial(&[(1, &[1]), (1, &[]), (2, &[2])])));
 }
 
 /// Rationals of all sizes, so that some operations overflow and some do not.
@@ -245,6 +336,18 @@ fn relations_that_are_not_confluent_leave_a_remainder() {
     assert!(accepted.is_ok(), "{accepted:?}");
 }
 
+/// x = z and x y = w make y z of x y as well as w.
+#[test]
+fn a_leading_monomial_that_divides_another_clashes_with_it() {
+    let short = Relation::new(polynomial(&[(1, &[0]), (-1, &[2])]), monomial(&[0])).expect("a leading monomial");
+    let long = Relation::new(polynomial(&[(1, &[0, 1]), (-1, &[3])]), monomial(&[0, 1])).expect("a leading monomial");
+    for rules in [[short.clone(), long.clone()], [long, short]] {
+        let refused = Relations::new(&rules);
+        let Err(RelationsError::NotConfluent(0, 1, left)) = refused else { panic!("{refused:?}") };
+        assert!([left.clone(), left.neg()].contains(&polynomial(&[(1, &[1, 2]), (-1, &[3])])), "{left:?}");
+    }
+}
+
 #[test]
 fn relations_whose_leading_monomials_are_not_the_greatest_do_not_terminate() {
     let relation = |terms: &[(i64, &[Symbol])], leading: &[Symbol]| {
@@ -255,6 +358,43 @@ fn relations_whose_leading_monomials_are_not_the_greatest_do_not_terminate() {
     let forth = relation(&[(1, &[0]), (-1, &[1])], &[0]);
     let back = relation(&[(1, &[1]), (-1, &[0])], &[1]);
     assert!(matches!(Relations::new(&[forth, back]), Err(RelationsError::NotTerminating(_))));
+}
+
+/// 2 x0 x1 = 6 x1 + 1, moved by 3 symbols: x3 x4 = 3 x4 + 1/2.
+#[test]
+fn relations_are_rewritten_at_any_coefficient_and_moved() {
+    let relation =
+        Relation::new(polynomial(&[(2, &[0, 1]), (-6, &[1]), (-1, &[])]), monomial(&[0, 1])).expect("a monomial");
+    let moved = relation.shifted(3);
+    assert_eq!(
+        (moved.leading(), moved.polynomial()),
+        (&monomial(&[3, 4]), &polynomial(&[(2, &[3, 4]), (-6, &[4]), (-1, &[])]))
+    );
+    let relations = Relations::new(&[moved]).expect("it terminates");
+    let mut expected = polynomial(&[(3, &[4, 7])]);
+    expected.add_term(monomial(&[7]), rational(1, 2)).expect("small numbers");
+    assert_eq!(relations.normal_form(&polynomial(&[(1, &[3, 4, 7])])), Ok(expected));
+    assert!(!relations.is_empty() && Relations::new(&[]).expect("nothing to check").is_empty());
+    assert_eq!(Relations::default().normal_form(&polynomial(&[(1, &[3, 4])])), Ok(polynomial(&[(1, &[3, 4])])));
+}
+
+/// x = y + 1, y = z + 1 end in z in the order x, y, z; x = y^2 and y = x^2 never end, nor does x = x y.
+#[test]
+fn rewriting_ends_in_the_order_of_some_list_of_symbols() {
+    let relation = |terms: &[(i64, &[Symbol])], leading: &[Symbol]| {
+        Relation::new(polynomial(terms), monomial(leading)).expect("a leading monomial")
+    };
+    let steps =
+        [relation(&[(1, &[5]), (-1, &[3]), (-1, &[])], &[5]), relation(&[(1, &[3]), (-1, &[4]), (-1, &[])], &[3])];
+    let relations = Relations::new(&steps).expect("it ends");
+    assert_eq!(relations.normal_form(&polynomial(&[(1, &[5])])), Ok(polynomial(&[(1, &[4]), (2, &[])])));
+    let forth = relation(&[(1, &[0]), (-1, &[1, 1])], &[0]);
+    let back = relation(&[(1, &[1]), (-1, &[0, 0])], &[1]);
+    for rules in
+        [vec![forth.clone(), back.clone()], vec![back, forth], vec![relation(&[(1, &[0]), (-1, &[0, 1])], &[0])]]
+    {
+        assert!(matches!(Relations::new(&rules), Err(RelationsError::NotTerminating(_))), "{rules:?}");
+    }
 }
 
 #[test]
@@ -384,4 +524,51 @@ fn what_has_no_series_is_an_error() {
     }
     let cubic = SeriesRing::new(ORDER, RADICAL, &polynomial(&[(1, &[0, 0, 0])]));
     assert!(matches!(cubic, Err(SeriesError::Undefined(_))), "a radical of a cubic form");
+}
+
+#[test]
+fn what_is_wrong_with_a_series_is_said() {
+    let ring = ring();
+    let (one, radical) = (series(&ring, &[(1, &[])]), series(&ring, &[(1, &[RADICAL])]));
+    let error = |result: Result<Series, SeriesError>| result.expect_err("no series").to_string();
+    assert_eq!(error(ring.sin(&one)), "expected a series without terms of degree 0, found one with them");
+    assert_eq!(
+        error(ring.quotient(&one, &radical)),
+        "expected a series divisible by the radical to the 1, found one that is not"
+    );
+    assert_eq!(error(ring.sqrt(&radical)), "expected an even power of the radical, found 1 l^1");
+    assert_eq!(error(ring.atan2(&one, &radical)), "expected a second argument of atan2 near 1, found 0");
+    assert_eq!(SeriesError::from(Overflow).to_string(), Overflow.to_string());
+}
+
+/// With l to the order 10, l^11 is not known; x is l times a direction, so it counts as one degree, and c is one itself.
+#[test]
+fn series_are_known_to_their_order_and_no_further() {
+    let ring = ring();
+    let power = |symbol: Symbol, n: usize| series(&ring, &[(1, &vec![symbol; n])]);
+    for symbol in [RADICAL, OTHER, 0] {
+        assert!(!power(symbol, ORDER).polynomial().is_zero() && power(symbol, ORDER + 1).polynomial().is_zero());
+        assert_eq!(ring.mul(&power(symbol, 5), &power(symbol, 5)), Ok(power(symbol, ORDER)));
+        assert!(ring.mul(&power(symbol, 6), &power(symbol, 5)).expect("small numbers").polynomial().is_zero());
+    }
+    let known = |a: &Series, b: &Series| ring.quotient(a, b).expect("a quotient").order();
+    assert_eq!(known(&power(RADICAL, 3), &power(RADICAL, 2)), ORDER - 2);
+    // What is known of a to order 7 and divisible by l is known of a l to order 8, of a l^2 to 9, of the root of l^2 b to 8.
+    let seven = ring.quotient(&power(RADICAL, 4), &power(RADICAL, 3)).expect("l");
+    assert_eq!(seven.order(), ORDER - 3);
+    for (n, order) in [(1, 8), (2, 9), (3, 10), (4, 10)] {
+        let product = ring.mul(&seven, &power(RADICAL, n)).expect("small numbers");
+        assert_eq!((product.order(), product.polynomial()), (order, power(RADICAL, n + 1).polynomial()));
+    }
+    assert_eq!(ring.add(&seven, &power(RADICAL, 1)).expect("small numbers").order(), 7);
+    assert_eq!(ring.sin(&seven).expect("no constant").order(), 7);
+    let square = ring.mul(&seven, &seven).expect("small numbers");
+    assert_eq!((square.order(), ring.sqrt(&square).expect("a square").order()), (8, 7));
+    // Of what is known to be 0 to order 7 and l^2 known to order 2 the product is known to order 9, of two such zeros one more.
+    let zero = |a: &Series| ring.add(a, &ring.neg(a)).expect("small numbers");
+    let two = ring.quotient(&power(RADICAL, 10), &power(RADICAL, 8)).expect("l^2");
+    let order = |a: &Series, b: &Series| ring.mul(a, b).expect("small numbers").order();
+    assert_eq!((two.order(), order(&zero(&seven), &two), order(&two, &zero(&seven))), (2, 9, 9));
+    assert_eq!(order(&zero(&seven), &zero(&two)), 10);
+    assert_eq!(ring.directions(), [0, 1, 2]);
 }

@@ -68,3 +68,6 @@ pub use grading::e0_degree;
 pub use presence::{Component, Presence, Tolerances, verify_motor_gf3};
 pub use triad::{Balance, Triad};
 pub use trit::Trit;
+
+#[cfg(test)]
+mod tests;

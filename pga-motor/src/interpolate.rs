@@ -17,9 +17,9 @@ use crate::{EvenMultivector, Line, Motor, Real, Rotor, Translator, alignment, ke
 /// Interpolation: from this motion at t = 0 to another at t = 1.
 ///
 /// The end is `other` or its negative, the same motion, whichever is nearer: where the Euclidean parts' scalar product
-/// is negative, -b stands for b. So `other` = -`self` stays put, and motions exactly half a turn apart are joined by
-/// one of the two ways. Defined for every t as long as everything, t times the difference of the ends included, is finite,
-/// else NaN. Equal ends stay put, by `screw_lerp` up to rounding errors times t.
+/// is negative, -b stands for b. So `other` = -`self` stays put, and of the two ways between motions exactly half a
+/// turn apart the one to b as it stands is taken. Defined for every t as long as everything, t times the difference
+/// of the ends included, is finite, else NaN. Equal ends stay put, by `screw_lerp` up to rounding errors times t.
 ///
 /// In what follows 2 h is the angle between the two motions, h in \[0, pi/2\], and costs are for one call, beside
 /// multiplications and additions.
@@ -252,9 +252,15 @@ impl<T: Real> ScrewPath<T> {
 /// assert_eq!(blend(&[(by(4.0, 0.0), 1.0), (by(0.0, 4.0), -1.0)]), None);
 /// ```
 pub fn blend<T: Real>(inputs: &[(Motor<T>, T)]) -> Option<Motor<T>> {
+    blend_each(inputs.iter().copied())
+}
+
+/// [`blend`] of inputs that need not stand in one place.
+pub(crate) fn blend_each<T: Real>(inputs: impl Iterator<Item = (Motor<T>, T)> + Clone) -> Option<Motor<T>> {
+    let count = inputs.clone().count();
     let sum = alignment::aligned_sum(inputs, kernels::motor_scalar_product_motor)?;
     let sum = EvenMultivector::from(sum);
-    if sum.norm() <= alignment::rounding(inputs.len()) {
+    if sum.norm() <= alignment::rounding(count) {
         return None;
     }
     let motor = sum.over_norm();

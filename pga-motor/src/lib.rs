@@ -39,7 +39,8 @@
 //! # Features
 //!
 //! `std` (default) or else `libm` provides square roots and trigonometry, [`Real`], for `f32` and `f64`; without either
-//! the polynomial kernels remain. `glam` adds conversions to and from glam, `proptest` strategies for the types.
+//! the polynomial kernels remain. `glam` adds conversions to and from glam, `gltf` the reader of glTF files
+//! `import::gltf`, `proptest` strategies for the types, `rayon` crowds on all cores.
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
 #![deny(unsafe_code)]
 
@@ -89,7 +90,7 @@ pub mod f32 {
         f32: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
         OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
-    crate::precision::aliases! { f32 in skeleton: Clip Joint Pose ScrewCache Skeleton SkeletonInstance }
+    crate::precision::aliases! { f32 in skeleton: Aim Clip Joint Pose Retarget RootMotion ScrewCache Skeleton SkeletonInstance TwoBone }
     crate::precision::aliases! { f32 in game: MotorGame }
 }
 
@@ -100,6 +101,6 @@ pub mod f64 {
         f64: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
         OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
-    crate::precision::aliases! { f64 in skeleton: Clip Joint Pose ScrewCache Skeleton SkeletonInstance }
+    crate::precision::aliases! { f64 in skeleton: Aim Clip Joint Pose Retarget RootMotion ScrewCache Skeleton SkeletonInstance TwoBone }
     crate::precision::aliases! { f64 in game: MotorGame }
 }

@@ -175,3 +175,6 @@ mod implementations {
     implement_real!(f32, sqrtf, sincosf, atan2f);
     implement_real!(f64, sqrt, sincos, atan2);
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,4 +1,5 @@
-//! Strategies of proptest for the types of this crate, the values at which formulas fail among them.
+//! Strategies of proptest for the types of this crate, the values at which formulas fail among them. Those of the plane
+//! are in [`pga2d::strategies`](crate::pga2d::strategies).
 //!
 //! Generic over the precision: `motors::<f32>()`, `motors::<f64>()`. Values shrink to simple ones. Lengths are mostly
 //! below ten, sometimes up to 1e8, or to 1e4 for formats as coarse as `f32`. What a type promises holds up to rounding.
@@ -18,21 +19,26 @@
 use crate::{Direction, Line, Motor, Plane, Point, Real, Rotor, Translator, UnitLine, UnitPlane};
 use core::f64::consts::PI;
 use core::fmt::Debug;
-use core::ops::Range;
+use core::ops::{Mul, Neg, Range};
 use proptest::prelude::*;
 use proptest::sample::select;
 
 /// The greatest power of ten of a length.
-fn greatest_exponent<T: Real>() -> f64 {
+pub(crate) fn greatest_exponent<T: Real>() -> f64 {
     if T::EPSILON.to_f64() < 1e-10 { 8.0 } else { 4.0 }
 }
 
-fn signed_powers(exponents: Range<f64>) -> impl Strategy<Value = f64> + Clone {
+/// The powers of ten of what is near 0.
+pub(crate) fn small_exponents() -> Range<f64> {
+    -18.0..-2.0
+}
+
+pub(crate) fn signed_powers(exponents: Range<f64>) -> impl Strategy<Value = f64> + Clone {
     (exponents, select(vec![1.0, -1.0])).prop_map(|(exponent, sign)| sign * 10_f64.powf(exponent))
 }
 
 /// A whole number, any up to ten, or one of any magnitude.
-fn lengths<T: Real + Debug>() -> impl Strategy<Value = T> + Clone {
+pub(crate) fn lengths<T: Real + Debug>() -> impl Strategy<Value = T> + Clone {
     let greatest = greatest_exponent::<T>();
     let lengths = prop_oneof![
         4 => (-9..=9).prop_map(f64::from),
@@ -43,8 +49,39 @@ fn lengths<T: Real + Debug>() -> impl Strategy<Value = T> + Clone {
 }
 
 /// Any angle up to a turn and a bit, both ways, those with simple sines first.
-fn angles() -> impl Strategy<Value = f64> + Clone {
+pub(crate) fn angles() -> impl Strategy<Value = f64> + Clone {
     prop_oneof![1 => select(vec![0.0, PI / 2.0, PI, -PI / 2.0, 2.0 * PI]), 3 => -7.0..7.0]
+}
+
+/// Angles from 1e-18 to 0.01, both ways.
+pub(crate) fn angles_near_identity() -> impl Strategy<Value = f64> + Clone {
+    signed_powers(small_exponents())
+}
+
+/// Angles that lack or exceed half a turn by as little.
+pub(crate) fn angles_near_half_turn() -> impl Strategy<Value = f64> + Clone {
+    angles_near_identity().prop_map(|distance| PI + distance)
+}
+
+/// A motor and its negative.
+pub(crate) fn antipodal<M: Copy + Debug + Neg<Output = M>>(
+    motors: impl Strategy<Value = M> + Clone,
+) -> impl Strategy<Value = (M, M)> + Clone {
+    motors.prop_map(|motor| (motor, -motor))
+}
+
+/// Two motors: any, equal, antipodal, and by a step from equal or antipodal.
+pub(crate) fn pairs<M: Copy + Debug + Neg<Output = M> + Mul<Output = M>>(
+    motors: impl Strategy<Value = M> + Clone,
+    steps: impl Strategy<Value = M> + Clone,
+) -> impl Strategy<Value = (M, M)> + Clone {
+    prop_oneof![
+        3 => (motors.clone(), motors.clone()),
+        1 => motors.clone().prop_map(|motor| (motor, motor)),
+        1 => antipodal(motors.clone()),
+        1 => (motors, steps, any::<bool>())
+            .prop_map(|(motor, step, negative)| (motor, if negative { -(motor * step) } else { motor * step })),
+    ]
 }
 
 /// Directions of length 1: the axes first.
@@ -110,12 +147,12 @@ pub fn rotors<T: Real + Debug + 'static>() -> impl Strategy<Value = Rotor<T>> + 
 
 /// Rotors of angles from 1e-18 to 0.01.
 pub fn rotors_near_identity<T: Real + Debug + 'static>() -> impl Strategy<Value = Rotor<T>> + Clone {
-    rotors_by(signed_powers(-18.0..-2.0))
+    rotors_by(angles_near_identity())
 }
 
 /// Rotors that lack or exceed half a turn by an angle from 1e-18, which rounds to none, to 0.01.
 pub fn rotors_near_half_turn<T: Real + Debug + 'static>() -> impl Strategy<Value = Rotor<T>> + Clone {
-    rotors_by(signed_powers(-18.0..-2.0).prop_map(|distance| PI + distance))
+    rotors_by(angles_near_half_turn())
 }
 
 /// Translators.
@@ -149,7 +186,7 @@ pub fn motors<T: Real + Debug + 'static>() -> impl Strategy<Value = Motor<T>> + 
 
 /// Motors of angles and translations from 1e-18 to 0.01.
 pub fn motors_near_identity<T: Real + Debug + 'static>() -> impl Strategy<Value = Motor<T>> + Clone {
-    (translators_of(-18.0..-2.0), rotors_near_identity()).prop_map(motor)
+    (translators_of(small_exponents()), rotors_near_identity()).prop_map(motor)
 }
 
 /// Motors near half a turn with any translation.
@@ -165,16 +202,10 @@ pub fn motors_with_tiny_turn_and_huge_step<T: Real + Debug + 'static>() -> impl 
 
 /// A motor and its negative, which is the same motion.
 pub fn antipodal_motors<T: Real + Debug + 'static>() -> impl Strategy<Value = (Motor<T>, Motor<T>)> + Clone {
-    motors().prop_map(|motor| (motor, -motor))
+    antipodal(motors())
 }
 
 /// Two motors: any, equal, antipodal, and nearly equal or antipodal.
 pub fn motor_pairs<T: Real + Debug + 'static>() -> impl Strategy<Value = (Motor<T>, Motor<T>)> + Clone {
-    prop_oneof![
-        3 => (motors(), motors()),
-        1 => motors().prop_map(|motor| (motor, motor)),
-        1 => antipodal_motors(),
-        1 => (motors(), motors_near_identity(), any::<bool>())
-            .prop_map(|(motor, step, negative)| (motor, if negative { -(motor * step) } else { motor * step })),
-    ]
+    pairs(motors(), motors_near_identity())
 }

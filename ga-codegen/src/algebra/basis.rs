@@ -209,3 +209,18 @@ impl Basis {
         (complement.reordering_sign(blade) * self.pseudoscalar().sign, complement)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_blades_in_any_order_whatever_the_names() {
+        let names = [("1", "1"), ("x", "e1"), ("y", "e2"), ("i", "e21")];
+        let basis = Basis::new(Signature::new(2, 0, 0), names).expect("a basis");
+        assert_eq!(basis.word("1"), Some((Sign::Plus, Blade::SCALAR)));
+        assert_eq!(basis.word("e12"), Some((Sign::Plus, Blade(0b11))));
+        assert_eq!(basis.word("e21"), Some((Sign::Minus, Blade(0b11))));
+        assert_eq!((basis.word("i"), basis.word("e3"), basis.word("e11")), (None, None, None));
+    }
+}

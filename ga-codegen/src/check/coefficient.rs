@@ -5,7 +5,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::reference::{Multivector, Number};
 
-/// A coefficient that checks can be run on: `f32`, `f64`, `i64`, `i128`, or an exact number of your own.
+/// A coefficient that checks can be run on: `f32`, `f64`, `i64`, `i128`, [`Fraction`](super::Fraction), or an exact number
+/// of your own.
 ///
 /// The provided methods are those of an exact number.
 pub trait Coefficient: Number + fmt::Debug + fmt::Display + 'static {
@@ -22,6 +23,16 @@ pub trait Coefficient: Number + fmt::Debug + fmt::Display + 'static {
     fn magnitude(&self) -> f64 {
         0.0
     }
+
+    /// The nearest number in floating point; `None` for exact numbers, and formats finer than `f64`.
+    fn from_f64(_value: f64) -> Option<Self> {
+        None
+    }
+
+    /// The same value as an `f64`; `None` where [`Coefficient::from_f64`] gives that.
+    fn to_f64(&self) -> Option<f64> {
+        None
+    }
 }
 
 macro_rules! floats {
@@ -36,6 +47,14 @@ macro_rules! floats {
 
             fn magnitude(&self) -> f64 {
                 f64::from(self.abs())
+            }
+
+            fn from_f64(value: f64) -> Option<Self> {
+                Some(value as $float)
+            }
+
+            fn to_f64(&self) -> Option<f64> {
+                Some(f64::from(*self))
             }
         }
     )* };
@@ -135,7 +154,8 @@ pub(super) fn values<T: Coefficient>(value: &Multivector<Running<T>>) -> Multive
     map(value, |coefficient| coefficient.value)
 }
 
-fn map<A: Number, B: Number>(value: &Multivector<A>, image: impl Fn(A) -> B) -> Multivector<B> {
+/// The same blades with images of the coefficients.
+pub(super) fn map<A: Number, B: Number>(value: &Multivector<A>, image: impl Fn(A) -> B) -> Multivector<B> {
     let blades = value.blades().into_iter().map(|(word, coefficient)| (word, image(coefficient)));
     Multivector::from_blades(value.signature(), blades).expect("invariant: words of a multivector of the signature")
 }

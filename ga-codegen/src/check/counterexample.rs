@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::undefined::{Undefined, write_inputs};
 use super::{Coefficient, Difference};
 use crate::algebra::Signature;
 use crate::reference::{Multivector, ReferenceError};
@@ -13,6 +14,8 @@ pub enum CheckError<T> {
     Inputs(InputError),
     /// The function differs from the definition.
     Counterexample(Box<Counterexample<T>>),
+    /// The definition has no value at some inputs.
+    Undefined(Box<Undefined<T>>),
     /// The strategies give too few values, as they say.
     Exhausted(String),
 }
@@ -35,6 +38,7 @@ impl<T: Coefficient> fmt::Display for CheckError<T> {
         match self {
             Self::Inputs(error) => error.fmt(f),
             Self::Counterexample(counterexample) => counterexample.fmt(f),
+            Self::Undefined(undefined) => undefined.fmt(f),
             Self::Exhausted(reason) => write!(f, "expected strategies that give enough values, found {reason}"),
         }
     }
@@ -83,6 +87,11 @@ pub enum InputError {
         /// The number.
         number: String,
     },
+    /// A function of the definition whose values are no exact numbers.
+    Function {
+        /// Its name.
+        function: String,
+    },
 }
 
 impl fmt::Display for InputError {
@@ -102,6 +111,12 @@ impl fmt::Display for InputError {
             }
             Self::Number { number } => {
                 write!(f, "expected numbers that the coefficients can hold, found `{number}` in the definition")
+            }
+            Self::Function { function } => {
+                write!(
+                    f,
+                    "expected coefficients in floating point for `{function}`, found exact ones, of which it has no exact value"
+                )
             }
         }
     }
@@ -153,9 +168,7 @@ pub struct Counterexample<T> {
 impl<T: Coefficient> fmt::Display for Counterexample<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "expected the value of `{}`, found another at", self.definition)?;
-        for (name, value) in &self.inputs {
-            writeln!(f, "    {name} = {value}")?;
-        }
+        write_inputs(f, &self.inputs)?;
         writeln!(f, "expected: {}", self.expected)?;
         match &self.found {
             Ok(found) => write!(f, "found:    {found}")?,

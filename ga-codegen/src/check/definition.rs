@@ -5,7 +5,7 @@ use std::fmt;
 use proc_macro2::{Span, TokenStream};
 
 use crate::algebra::{Basis, Signature};
-use crate::kernel::Expression;
+use crate::kernel::{Analytic, Expression};
 use crate::lower::lower_expression;
 use crate::syntax::{RawExpression, RawKind, parse_expression};
 
@@ -58,6 +58,8 @@ pub(super) struct Definition {
     pub(super) text: String,
     /// The inputs, in the order in which they first occur.
     pub(super) names: Vec<String>,
+    /// The function of the expression that it is, where it is not polynomial.
+    pub(super) function: Option<Analytic>,
     pub(super) expression: Expression,
 }
 
@@ -72,8 +74,8 @@ impl Definition {
         let raw = parse_expression(tokens(text)?).map_err(at)?;
         let mut names = Vec::new();
         collect_names(&raw, &mut names);
-        let expression = lower_expression(&raw, &basis, &names).map_err(at)?;
-        Ok(Self { signature, text: text.trim().to_owned(), names, expression })
+        let (function, expression) = lower_expression(&raw, &basis, &names).map_err(at)?;
+        Ok(Self { signature, text: text.trim().to_owned(), names, function, expression })
     }
 }
 

@@ -41,31 +41,63 @@
 //!
 //! # Definitions
 //!
-//! An expression of [`expand`](fn@crate::expand)'s grammar without analytic functions: `*`, `^`, `&`, `|`, `>>`, `~`,
-//! `dual(x)`, `grade(x, 2)` and so on. `e` and digits is a blade, its generators in any order; every other name is an
-//! input.
+//! An expression of [`expand`](fn@crate::expand)'s grammar: `*`, `^`, `&`, `|`, `>>`, `~`, `dual(x)`, `grade(x, 2)` and so
+//! on. `e` and digits is a blade, its generators in any order; every other name is an input.
+//!
+//! In floating point it may be `exp(...)`, `log(...)`, `normalize(...)` or `sqrt(...)` of such an expression. Inputs outside
+//! the function's domain are an error, [`Undefined`], never a pass: -1 has no logarithm, nor has what is no unit, and 0
+//! has no norm to divide by.
+//!
+//! ```
+//! use ga_codegen::check::strategies::pga2d::{PGA2D, bivectors};
+//! use ga_codegen::check::{Check, CheckError, DomainError};
+//! use ga_codegen::reference::Multivector;
+//!
+//! /// The motion that a bivector generates.
+//! fn exp(bivector: &Multivector<f64>) -> Multivector<f64> {
+//!     let norm = bivector.norm();
+//!     let sinc = if norm == 0.0 { 1.0 } else { norm.sin() / norm };
+//!     bivector.scale(sinc).add(&Multivector::scalar(PGA2D, norm.cos()))
+//! }
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! Check::new(PGA2D, "exp(b)")?.input("b", bivectors()).assert(|[b]| exp(b));
+//!
+//! // A bivector is no unit, as a rule.
+//! let error = Check::<f64>::new(PGA2D, "log(b)")?.input("b", bivectors()).run(|[b]| exp(b));
+//! let Err(CheckError::Undefined(undefined)) = error else { panic!("expected an input without a logarithm") };
+//! assert_eq!(undefined.reason, DomainError::Unit { blade: "1".to_owned() });
+//! # Ok(())
+//! # }
+//! ```
 //!
 //! # Tolerance
 //!
-//! See [`Tolerance`]: exact for exact coefficients, derived from a running error bound for floats.
+//! See [`Tolerance`]: exact for exact coefficients, such as [`Fraction`], derived from a running error bound for floats.
 //!
 //! # Determinism
 //!
 //! The same check sees the same values in every run, see [`Check::seed`]. Nothing is written to files.
 
+mod closed_form;
 mod coefficient;
 mod counterexample;
 mod definition;
+mod fraction;
 mod interpreter;
 pub mod strategies;
 mod tolerance;
+mod undefined;
 
 pub use coefficient::Coefficient;
 pub use counterexample::{CheckError, Counterexample, Fault, InputError};
 pub use definition::DefinitionError;
+pub use fraction::Fraction;
 pub use tolerance::{Difference, Tolerance};
+pub use undefined::{DomainError, Undefined};
 
 use std::cell::RefCell;
+use std::mem::discriminant;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use proptest::strategy::{BoxedStrategy, Strategy};
@@ -173,8 +205,9 @@ impl<T: Coefficient> Check<T> {
     /// Compares a function with the definition.
     ///
     /// # Errors
-    /// A [`Counterexample`], as small as shrinking makes it; inputs that do not fit the definition; strategies that
-    /// reject nearly everything. A panic of the function counts as a wrong answer.
+    /// A [`Counterexample`], as small as shrinking makes it; inputs at which the definition has no value, likewise; inputs
+    /// that do not fit the definition; strategies that reject nearly everything. A panic of the function counts as a wrong
+    /// answer.
     pub fn run<const N: usize, A: Answer<T>>(
         &self,
         function: impl Fn([&Multivector<T>; N]) -> A,
@@ -184,14 +217,21 @@ impl<T: Coefficient> Check<T> {
         if names.len() != N {
             return Err(InputError::Count { inputs: names.len(), parameters: N }.into());
         }
+        if let Some(function) = self.definition.function.filter(|_| T::from_f64(0.0).is_none()) {
+            return Err(InputError::Function { function: function.name().to_owned() }.into());
+        }
         let worst = RefCell::new(None);
         let strategies: Vec<_> = self.groups.iter().map(|group| group.values.clone()).collect();
         let outcome = self.runner().run(&strategies, |values| {
             let inputs: Vec<_> = names.iter().map(|name| (*name).clone()).zip(values.into_iter().flatten()).collect();
-            self.case(inputs, &function).map_err(|error| {
-                *worst.borrow_mut() = Some(error);
-                TestCaseError::fail("a difference")
-            })
+            let Err(error) = self.case(inputs, &function) else { return Ok(()) };
+            let mut worst = worst.borrow_mut();
+            // Where shrinking leads to an error of another kind, it goes back.
+            if worst.as_ref().is_some_and(|other| discriminant(other) != discriminant(&error)) {
+                return Ok(());
+            }
+            *worst = Some(error);
+            Err(TestCaseError::fail("a difference"))
         });
         match (outcome, worst.into_inner()) {
             (Ok(()), _) => Ok(()),
@@ -247,7 +287,13 @@ impl<T: Coefficient> Check<T> {
             let (name, found) = (name.clone(), value.signature());
             return Err(InputError::Signature { name, expected: signature, found }.into());
         }
-        let expected = self.definition.value(&inputs)?;
+        let expected = match self.definition.value(&inputs)? {
+            Ok(expected) => expected,
+            Err(reason) => {
+                let definition = self.definition.text.clone();
+                return Err(CheckError::Undefined(Box::new(Undefined { definition, inputs, reason })));
+            }
+        };
         let references: Vec<_> = inputs.iter().map(|(_, value)| value).collect();
         let Ok(arguments) = <[&Multivector<T>; N]>::try_from(references) else {
             return Err(InputError::Count { inputs: inputs.len(), parameters: N }.into());
@@ -271,10 +317,7 @@ fn answer<T: Coefficient, A: Answer<T>>(
     signature: Signature,
     function: impl FnOnce() -> A,
 ) -> Result<Multivector<T>, Fault> {
-    let answer = catch_unwind(AssertUnwindSafe(function)).map_err(|payload| {
-        let text = payload.downcast_ref::<String>().map(String::as_str);
-        Fault::Panic(text.or(payload.downcast_ref::<&str>().copied()).unwrap_or("no text").to_owned())
-    })?;
+    let answer = caught(function).map_err(Fault::Panic)?;
     let found = answer.into_multivector(signature).map_err(Fault::Blade)?;
     if found.signature() == signature {
         Ok(found)
@@ -283,15 +326,30 @@ fn answer<T: Coefficient, A: Answer<T>>(
     }
 }
 
+/// What a function returns, or the text that it panicked with.
+fn caught<V>(function: impl FnOnce() -> V) -> Result<V, String> {
+    catch_unwind(AssertUnwindSafe(function)).map_err(|payload| {
+        let text = payload.downcast_ref::<String>().map(String::as_str);
+        text.or(payload.downcast_ref::<&str>().copied()).unwrap_or("no text").to_owned()
+    })
+}
+
+/// The value of a definition with its error bound, if it has one.
+type Valued<T> = Result<Multivector<Running<T>>, DomainError>;
+
 impl Definition {
-    /// The value of the definition on the reference, with its error bound.
-    fn value<T: Coefficient>(
-        &self,
-        inputs: &[(String, Multivector<T>)],
-    ) -> Result<Multivector<Running<T>>, InputError> {
+    /// The value of the definition on the reference.
+    fn value<T: Coefficient>(&self, inputs: &[(String, Multivector<T>)]) -> Result<Valued<T>, InputError> {
         let value = |name| inputs.iter().find(|(other, _)| other == name).map(|(_, value)| coefficient::running(value));
         let values: Option<Vec<_>> = self.names.iter().map(value).collect();
         let values = values.expect("invariant: every name has a value, `check_names` has seen to it");
-        interpreter::evaluate(&self.expression, &values, self.signature)
+        let result = caught(|| {
+            let argument = interpreter::evaluate(&self.expression, &values, self.signature)?;
+            Ok(match self.function {
+                None => Ok(argument),
+                Some(function) => closed_form::apply(function, &argument),
+            })
+        });
+        result.unwrap_or_else(|text| Ok(Err(DomainError::Panic(text))))
     }
 }

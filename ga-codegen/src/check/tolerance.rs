@@ -24,6 +24,10 @@ pub enum Tolerance {
     /// unit only up to some u, or for terms that the definition cancels. d times the least normal number is for
     /// underflow. So a mistake below that is not seen, and an implementation that cancels more than the definition does
     /// may be reported.
+    ///
+    /// A function f of a coefficient x counts as |f| + |f'| S(x) in S, and as five operations, which are its own roundings: so
+    /// exp, log, normalize and sqrt are allowed what their closed forms, with naive sines, roots and quotients, may err,
+    /// times 4. Near the border of their domain, where that grows beyond all bounds, so does the tolerance.
     #[default]
     Derived,
 }

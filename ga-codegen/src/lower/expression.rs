@@ -16,19 +16,24 @@ pub(super) struct Scope<'a> {
 }
 
 impl Scope<'_> {
-    /// The definition of a kernel: an expression, or an analytic function of one.
+    /// The definition of a kernel: a logarithm is that of its one parameter, whose type promises a unit.
+    pub(super) fn kernel_body(&self, raw: &RawExpression) -> syn::Result<(Option<Analytic>, Expression)> {
+        let (analytic, argument) = self.body(raw)?;
+        let is_input = self.parameters.len() == 1 && matches!(argument.kind, ExpressionKind::Parameter(_));
+        if analytic == Some(Analytic::Log) && !is_input {
+            let message = "expected the one parameter of the kernel as the argument of `log`, found something else";
+            return Err(syn::Error::new(argument.span, message));
+        }
+        Ok((analytic, argument))
+    }
+
+    /// An expression, or an analytic function of one.
     pub(super) fn body(&self, raw: &RawExpression) -> syn::Result<(Option<Analytic>, Expression)> {
         if let RawKind::Call(name, arguments) = &raw.kind
             && let Some((_, analytic)) = Analytic::ALL.iter().find(|(known, _)| known == name)
         {
             check_arity(name, 1, arguments, raw.span)?;
-            let argument = self.expression(&arguments[0])?;
-            let is_input = self.parameters.len() == 1 && matches!(argument.kind, ExpressionKind::Parameter(_));
-            if *analytic == Analytic::Log && !is_input {
-                let message = "expected the one parameter of the kernel as the argument of `log`, found something else";
-                return Err(syn::Error::new(argument.span, message));
-            }
-            return Ok((Some(*analytic), argument));
+            return Ok((Some(*analytic), self.expression(&arguments[0])?));
         }
         Ok((None, self.expression(raw)?))
     }

@@ -198,3 +198,20 @@ impl Domain for PolynomialDomain {
         no_polynomial(function.name())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::Operation;
+
+    #[test]
+    fn every_value_of_a_program_of_ring_operations_is_a_polynomial() {
+        let operations = vec![Operation::Input(0), Operation::Input(1), Operation::Mul(0, 1), Operation::Double(2)];
+        let mut program = Program { operations, outputs: vec![3] };
+        let names = ["x".to_owned(), "y".to_owned()];
+        let values = evaluate_polynomials(&program, 2).expect("polynomials");
+        assert_eq!(values.iter().map(|value| value.display(&names)).collect::<Vec<_>>(), ["x", "y", "x y", "2 x y"]);
+        program.operations.push(Operation::Sqrt(0));
+        assert_eq!(evaluate_polynomials(&program, 2), None);
+    }
+}

@@ -51,7 +51,7 @@ mod tests {
         limited(3, || {
             assert!(spend(2) && !spend(1) && is_exhausted());
             assert!(!spend(0));
-            limited(2, || assert!(spend(1)));
+            limited(2, || assert!(spend(1) && !is_exhausted()));
             assert!(is_exhausted());
         });
         assert!(!is_exhausted());

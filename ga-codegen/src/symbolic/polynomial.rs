@@ -297,3 +297,34 @@ fn display_term(monomial: &Monomial, coefficient: Rational, names: &[String]) ->
     }
     factors.join(" ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn squared_within(steps: u64, polynomial: &Polynomial) -> Result<Polynomial, Overflow> {
+        effort::limited(steps, || polynomial.mul(polynomial))
+    }
+
+    /// Work ends between half and twice of what there is to do: looking at 100 terms and adding them up, or writing down
+    /// a monomial of degree 1600.
+    #[test]
+    fn terms_and_degrees_count_as_work() {
+        let power = Polynomial::term(Monomial::new(vec![0; 800]), Rational::ONE);
+        assert!(squared_within(100, &power).is_err() && squared_within(400, &power).is_ok());
+        let mut sum = Polynomial::zero();
+        for symbol in 0..10 {
+            sum = sum.add(&Polynomial::symbol(symbol)).expect("small numbers");
+        }
+        assert!(squared_within(150, &sum).is_err() && squared_within(400, &sum).is_ok());
+        let within =
+            |steps, work: fn(&Polynomial) -> bool| effort::limited(steps, || work(&sum) && !effort::is_exhausted());
+        for work in [
+            (|sum| !sum.neg().is_zero()) as fn(&Polynomial) -> bool,
+            |sum| sum.add(&Polynomial::one()).is_ok(),
+            |sum| sum.sub(&Polynomial::one()).is_ok(),
+        ] {
+            assert!(!within(8, work) && within(40, work));
+        }
+    }
+}

@@ -200,3 +200,37 @@ fn check_termination(relations: &[Relation]) -> Result<(), RelationsError> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// x_first = x_second for each pair.
+    fn renamed(pairs: impl Iterator<Item = (Symbol, Symbol)>) -> Vec<Relation> {
+        let relation = |(first, second): (Symbol, Symbol)| {
+            let difference = Polynomial::symbol(first).sub(&Polynomial::symbol(second)).expect("small numbers");
+            Relation::new(difference, Monomial::new(vec![first])).expect("a leading monomial")
+        };
+        pairs.map(relation).collect()
+    }
+
+    /// Every term is compared with every rule, symbol by symbol; limits lie between half and twice of that.
+    #[test]
+    fn looking_for_rules_counts_as_work() {
+        let relations = Relations::new(&renamed([(900, 901), (902, 903)].into_iter())).expect("it ends");
+        let form = |steps, polynomial: &Polynomial| effort::limited(steps, || relations.normal_form(polynomial));
+        let power = Polynomial::term(Monomial::new(vec![0; 1600]), Rational::ONE);
+        assert!(form(300, &power).is_err() && form(800, &power) == Ok(power));
+        let mut sum = Polynomial::zero();
+        (0..100).for_each(|symbol| sum.add_term(Monomial::new(vec![symbol]), Rational::ONE).expect("small numbers"));
+        assert!(form(200, &sum).is_err() && form(600, &sum) == Ok(sum));
+    }
+
+    /// Of n relations and n symbols one of each is settled at a time: n^2 (n + 1) / 2 comparisons.
+    #[test]
+    fn looking_for_an_order_counts_as_work() {
+        let relations = renamed((0..20).map(|symbol| (symbol, symbol + 100)));
+        let check = |steps| effort::limited(steps, || Relations::new(&relations).map(|_| ()));
+        assert_eq!((check(2000), check(9000)), (Err(RelationsError::Overflow), Ok(())));
+    }
+}

@@ -99,6 +99,7 @@ in_both_precisions! {
     the_short_way_is_taken_for_either_sign: short_way;
     equal_and_antipodal_motors_stay_put: stays_put;
     motors_half_a_turn_apart_are_joined: half_turns;
+    of_two_ways_as_short_the_one_to_the_end_as_it_stands_is_taken: ties;
     translations_go_straight_at_constant_speed: translations;
     backwards_is_the_same_path: backwards;
     the_middle_is_the_same_for_nlerp_slerp_and_screw_lerp: middle;
@@ -190,6 +191,19 @@ fn half_turns<T: Float>() {
                 }
             }
         }
+    }
+}
+
+/// Neither end is nearer where the scalar product is exactly 0.
+fn ties<T: Float>() {
+    let half_turn = Rotor::new(T::ZERO, T::ONE, T::ZERO, T::ZERO);
+    for end in [half_turn, -half_turn] {
+        for (_, interpolate) in interpolations() {
+            assert_same(interpolate(Motor::IDENTITY, end.into(), T::ONE), end.into(), 1.0, 4.0);
+        }
+        let path = ScrewPath::new(Motor::IDENTITY, end.into());
+        assert_eq!((path.start(), path.end()), (Motor::IDENTITY, end.into()));
+        assert_eq!((Rotor::IDENTITY.nlerp(end, T::ONE), Rotor::IDENTITY.slerp(end, T::ONE)), (end, end));
     }
 }
 
@@ -370,11 +384,14 @@ fn blend_of_two<T: Float>() {
 }
 
 fn blend_scale<T: Float>() {
-    let [a, b] = [motors::<T>()[5], motors::<T>()[8]];
-    let mean = |scale: T| blend(&[(a, scale), (b, scale * T::from_ratio(3, 1))]).unwrap();
     let largest = T::from_f64(if T::EPSILON.to_f64() < 1e-10 { 1e300 } else { 1e37 });
-    for scale in [largest, T::ONE / largest, T::from_ratio(-1, 1)] {
-        assert_same(mean(scale), mean(T::ONE), SIZE, 4.0);
+    for a in motors::<T>() {
+        for b in motors() {
+            let mean = |scale: T| blend(&[(a, scale), (b, scale * T::from_ratio(3, 1))]).unwrap();
+            for scale in [largest, T::ONE / largest, T::from_ratio(-1, 1)] {
+                assert_same(mean(scale), mean(T::ONE), SIZE, 4.0);
+            }
+        }
     }
 }
 

@@ -27,6 +27,8 @@ mod point;
 mod products;
 mod rigid;
 mod rotor;
+#[cfg(feature = "proptest")]
+pub mod strategies;
 mod translator;
 
 pub use algebra::*;

@@ -49,7 +49,7 @@ pub struct JointModes {
 /// let clip = Clip::new(1, vec![0.0, 2.0], vec![Motor::IDENTITY, raised])?;
 /// let mut pose = vec![Motor::IDENTITY; 1];
 /// clip.sample_into(0.5, Interpolation::Split, Wrap::Clamp, &mut pose)?;
-/// assert_eq!(pose[0].transform_origin().z, 1.0);
+/// assert!((pose[0].transform_origin().z - 1.0).abs() < 1e-15);
 /// # Ok::<(), pga_motor::skeleton::ClipError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -116,7 +116,7 @@ impl<T> Clip<T> {
         self.times[self.times.len() - 1]
     }
 
-    fn joints_of(&self, key: usize) -> &[Motor<T>] {
+    pub(super) fn joints_of(&self, key: usize) -> &[Motor<T>] {
         &self.keys[key * self.joint_count..(key + 1) * self.joint_count]
     }
 }

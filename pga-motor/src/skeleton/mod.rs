@@ -12,7 +12,22 @@
 //!
 //! Joints are stored depth-first: a parent stands before its children, and a joint together with everything below it is one
 //! contiguous run ([`Joint::group_size`]). One pass from front to back therefore suffices ([`local_to_model`]), and a whole
-//! limb is a slice. Lengths are in whatever unit the caller uses throughout; angles, where there are any, in radians.
+//! limb is a slice. Lengths are in whatever unit the caller uses throughout; angles, where there are any, in radians; times in seconds.
+//!
+//! The stages of a frame, each of which writes to a buffer of the caller's and allocates nothing:
+//!
+//! | | |
+//! |---|---|
+//! | [`Clip::sample_into`], [`Clip::sample_cached_into`] | the pose of a clip at a time |
+//! | [`Retarget::pose_into`] | that pose for a skeleton of other proportions |
+//! | [`blend_poses`], [`add_layers`] | one pose of several |
+//! | [`RootMotion::between`] | how far the character gets, to be multiplied to its place in the world |
+//! | [`local_to_model`] | model motors |
+//! | [`TwoBone::solve`], [`Aim::solve`] | hands and feet, heads and eyes where they should be |
+//! | [`skinning_motors`], [`skin_points`], [`skin_normals`] | a mesh that follows |
+//!
+//! [`animate_sample`] does the first and the fifth for a [`SkeletonInstance`], and puts its joints into the world. Files come from
+//! [`import`](crate::import).
 //!
 //! ```
 //! use pga_motor::skeleton::{Skeleton, local_to_model};
@@ -36,23 +51,37 @@
 //! # Ok::<(), pga_motor::skeleton::SkeletonError>(())
 //! ```
 
+mod blending;
 mod clip;
 mod error;
 mod hierarchy;
+mod ik;
 mod instance;
 mod joint;
 mod kinematics;
 mod order;
+#[cfg(feature = "rayon")]
+mod parallel;
 mod pose;
+mod retarget;
 mod rigidity;
+mod root_motion;
+mod skinning;
 
+pub use blending::{BlendError, Layer, add_layers, blend_poses, deviation_into};
 pub use clip::{Clip, ClipError, Interpolation, JointModes, KeyMode, KeySpan, ScrewCache, Wrap};
 pub use error::SkeletonError;
 pub use hierarchy::Skeleton;
+pub use ik::{Aim, IkError, Reach, TwoBone};
 pub use instance::{SkeletonInstance, animate_keyframe, animate_sample, skinning_motors};
 pub use joint::Joint;
 pub use kinematics::local_to_model;
+#[cfg(feature = "rayon")]
+pub use parallel::{Character, animate_characters};
 pub use pose::Pose;
+pub use retarget::{Retarget, Unmatched};
+pub use root_motion::{RootMotion, RootMotionError, RootMotionPart};
+pub use skinning::{Influences, SkinError, skin_normals, skin_normals_linear, skin_points, skin_points_linear};
 
 #[cfg(test)]
 mod tests;

@@ -20,9 +20,28 @@ fn error(joints: Vec<Listed>) -> SkeletonError {
 }
 
 /// A sequence of numbers that looks random and is the same everywhere (Knuth's MMIX constants).
-struct Sequence(u64);
+pub(super) struct Sequence(u64);
 
 impl Sequence {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// A unit direction.
+    pub(super) fn direction(&mut self) -> Direction<f64> {
+        loop {
+            let direction = Direction::new(self.signed(), self.signed(), self.signed());
+            if direction.norm() > 0.1 {
+                return direction.normalize().unwrap();
+            }
+        }
+    }
+
+    pub(super) fn rotor(&mut self) -> Rotor<f64> {
+        let axis = self.direction();
+        Rotor::from_axis_angle(axis, 3.0 * self.signed()).unwrap()
+    }
+
     fn below(&mut self, end: usize) -> usize {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         usize::try_from(self.0 >> 33).unwrap() % end
@@ -245,4 +264,147 @@ fn buffers_of_another_length_are_refused() {
     let error = local_to_model(&skeleton, skeleton.rest_pose(), &mut out[..1]).unwrap_err();
     assert_eq!(error.to_string(), "expected 2 motors in `out`, one for each joint, found 1");
     assert_eq!(error.joint(), None);
+}
+
+/// A random skeleton in a random pose, with the parents of its joints.
+fn random_pose(sequence: &mut Sequence, count: usize) -> (Skeleton<f64>, Vec<Motor<f64>>) {
+    let mut joints = listed(&sequence.forest(count));
+    for joint in &mut joints {
+        joint.2 = random_motion(sequence).0;
+    }
+    let (skeleton, _) = Skeleton::from_parents(joints).unwrap();
+    let pose = (0..count).map(|_| random_motion(sequence).0).collect();
+    (skeleton, pose)
+}
+
+/// Where the joints are by applying each joint's motor to the positions of its group, in this order of the joints.
+fn positions_by_groups(
+    skeleton: &Skeleton<f64>,
+    pose: &[Motor<f64>],
+    order: impl Iterator<Item = usize>,
+) -> Vec<Point<f64>> {
+    let mut positions = vec![Point::ORIGIN; skeleton.len()];
+    for joint in order {
+        let group = joint..joint + usize::from(skeleton.joints()[joint].group_size);
+        pose[joint].transform_points_in_place(&mut positions[group]);
+    }
+    positions
+}
+
+fn farthest(a: &[Point<f64>], b: &[Point<f64>]) -> f64 {
+    a.iter().zip(b).map(|(a, &b)| a.distance_to_point(b)).fold(0.0, f64::max)
+}
+
+#[test]
+fn an_instance_is_where_groups_moved_from_the_leaves_to_the_root_are_and_the_world_comes_last() {
+    let mut sequence = Sequence(4);
+    for count in [1, 5, 40] {
+        let (skeleton, pose) = random_pose(&mut sequence, count);
+        let world = random_motion(&mut sequence).0;
+        let mut instance = SkeletonInstance::new(&skeleton, world);
+        animate_keyframe(&skeleton, &mut instance, &pose).unwrap();
+        let mut expected = positions_by_groups(&skeleton, &pose, (0..count).rev());
+        world.transform_points_in_place(&mut expected);
+        // As for matrices above.
+        assert!(farthest(&instance.joint_positions, &expected) < 1e-11);
+        let mut model = vec![Motor::IDENTITY; count];
+        local_to_model(&skeleton, &pose, &mut model).unwrap();
+        assert_eq!(instance.model(), model);
+    }
+}
+
+/// The order that is sometimes published: each joint's motor applied from the root down, to positions that start at the world's place.
+/// It is the product of the motors in the reverse order.
+#[test]
+fn groups_moved_from_the_root_to_the_leaves_are_somewhere_else() {
+    let along_x = |length| Motor::<f64>::from(Translator::from_vector(Direction::new(length, 0.0, 0.0)));
+    let joints = [("a", None, along_x(0.0)), ("b", Some(0), along_x(1.0)), ("c", Some(1), along_x(1.0))];
+    let (skeleton, _) = Skeleton::from_parents(joints).unwrap();
+    let quarter = Rotor::about_z(core::f64::consts::FRAC_PI_2);
+    let pose = [along_x(0.0) * quarter, along_x(1.0), along_x(1.0) * quarter];
+    let mut instance = SkeletonInstance::new(&skeleton, Motor::IDENTITY);
+    animate_keyframe(&skeleton, &mut instance, &pose).unwrap();
+    let reversed = positions_by_groups(&skeleton, &pose, 0..3);
+    // Two bones of length 1 that point along y; the wrong order turns about the origin in the end, and points along x again.
+    assert!(instance.joint_positions[2].distance_to_point(Point::new(0.0, 2.0, 0.0)) < 1e-15);
+    assert!(reversed[2].distance_to_point(Point::new(0.0, 2.0, 0.0)) > 1.0, "{}", reversed[2]);
+
+    let mut sequence = Sequence(5);
+    let (skeleton, pose) = random_pose(&mut sequence, 40);
+    let mut instance = SkeletonInstance::new(&skeleton, Motor::IDENTITY);
+    animate_keyframe(&skeleton, &mut instance, &pose).unwrap();
+    assert!(farthest(&instance.joint_positions, &positions_by_groups(&skeleton, &pose, 0..40)) > 1.0);
+}
+
+#[test]
+fn a_sampled_instance_is_in_the_clips_pose() {
+    let mut sequence = Sequence(6);
+    let (skeleton, first) = random_pose(&mut sequence, 20);
+    let second: Vec<_> = (0..20).map(|_| random_motion(&mut sequence).0).collect();
+    let clip = Clip::new(20, vec![0.0, 2.0], [&first[..], &second].concat()).unwrap();
+    let world = random_motion(&mut sequence).0;
+    let (mut sampled, mut posed) = (SkeletonInstance::new(&skeleton, world), SkeletonInstance::new(&skeleton, world));
+    let mut scratch = skeleton.rest_pose().clone();
+    for interpolation in Interpolation::ALL {
+        animate_sample(&skeleton, &mut sampled, &clip, 0.7, interpolation, Wrap::Clamp, &mut scratch).unwrap();
+        let mut pose = first.clone();
+        clip.sample_into(0.7, interpolation, Wrap::Clamp, &mut pose).unwrap();
+        animate_keyframe(&skeleton, &mut posed, &pose).unwrap();
+        assert_eq!(sampled, posed);
+    }
+}
+
+#[test]
+fn skinning_motors_carry_a_bound_mesh_along() {
+    let mut sequence = Sequence(7);
+    let (skeleton, pose) = random_pose(&mut sequence, 12);
+    let binds: Vec<_> = (0..12).map(|_| random_motion(&mut sequence).0).collect();
+    let skeleton = skeleton.with_inv_bind_poses(&binds).unwrap();
+    let mut model = vec![Motor::IDENTITY; 12];
+    local_to_model(&skeleton, &pose, &mut model).unwrap();
+    let mut skinning = model.clone();
+    skinning_motors(&skeleton, &model, &mut skinning).unwrap();
+    for joint in 0..12 {
+        // What was at the joint's own frame when bound is there now.
+        let bound = binds[joint].reverse().transform_point(Point::new(0.1, 0.2, 0.3));
+        let now = model[joint].transform_point(Point::new(0.1, 0.2, 0.3));
+        assert!(skinning[joint].transform_point(bound).distance_to_point(now) < 1e-11);
+    }
+    let error = skinning_motors(&skeleton, &model[..3], &mut skinning).unwrap_err();
+    assert_eq!(error.to_string(), "expected 12 motors in `model`, one for each joint, found 3");
+}
+
+#[test]
+fn bind_poses_are_checked() {
+    let (skeleton, _) = Skeleton::from_parents(listed(&[None, Some(0)])).unwrap();
+    let error = |binds: &[Motor<f64>]| skeleton.clone().with_inv_bind_poses(binds).unwrap_err().to_string();
+    let good = Motor::IDENTITY;
+    assert_eq!(error(&[good]), "expected 2 motors in `inv_bind_poses`, one for each joint, found 1");
+    let message = "joint 1 `j1`: expected a finite motor, found a NaN or an infinity";
+    assert_eq!(error(&[good, Motor { e01: f64::NAN, ..good }]), message);
+    assert_eq!(
+        error(&[good, Motor { s: 0.5, ..good }]),
+        "joint 1 `j1`: expected a unit motor, found one that is not rigid"
+    );
+}
+
+#[test]
+fn instances_and_clips_of_other_skeletons_are_refused() {
+    let (small, _) = Skeleton::from_parents(listed(&[None])).unwrap();
+    let (large, _) = Skeleton::from_parents(listed(&[None, Some(0)])).unwrap();
+    let mut instance = SkeletonInstance::new(&large, Motor::IDENTITY);
+    let before = instance.clone();
+    let error = animate_keyframe(&small, &mut instance, small.rest_pose()).unwrap_err();
+    assert_eq!(error.to_string(), "expected 1 motors in `joint_positions`, one for each joint, found 2");
+    let error = animate_keyframe(&large, &mut instance, small.rest_pose()).unwrap_err();
+    assert_eq!(error.to_string(), "expected 2 motors in `locals`, one for each joint, found 1");
+    let clip = Clip::new(1, vec![0.0], vec![Motor::IDENTITY]).unwrap();
+    let mut scratch = [Motor::IDENTITY; 2];
+    let mut sample = |skeleton, scratch: &mut [Motor<f64>], time| {
+        animate_sample(skeleton, &mut instance, &clip, time, Interpolation::Nlerp, Wrap::Clamp, scratch).unwrap_err()
+    };
+    let error = sample(&large, &mut scratch, 0.0);
+    assert_eq!(error.to_string(), "expected a clip of 2 joints, as many as the skeleton has, found 1");
+    assert_eq!(sample(&small, &mut scratch, 0.0), ClipError::JointCount { expected: 1, found: 2 });
+    assert_eq!(instance, before);
 }

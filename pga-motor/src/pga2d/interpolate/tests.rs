@@ -92,6 +92,7 @@ in_both_precisions! {
     the_short_way_is_taken_for_either_sign: short_way;
     equal_and_antipodal_motors_stay_put: stays_put;
     motors_half_a_turn_apart_are_joined: half_turns;
+    of_two_ways_as_short_the_one_to_the_end_as_it_stands_is_taken: ties;
     translations_go_straight_at_constant_speed: translations;
     backwards_is_the_same_path: backwards;
     slerp_is_screw_lerp_and_nlerp_agrees_in_the_middle: one_path;
@@ -166,6 +167,19 @@ fn half_turns<T: Float>() {
                 assert_same_motion(quarter * quarter, half_turn, 4.0 * ROUNDING);
             }
         }
+    }
+}
+
+/// Neither end is nearer where the scalar product is exactly 0.
+fn ties<T: Float>() {
+    let half_turn = Rotor::new(T::ZERO, T::ONE);
+    for end in [half_turn, -half_turn] {
+        for (_, interpolate) in interpolations() {
+            assert_same(interpolate(Motor::IDENTITY, end.into(), T::ONE), end.into(), 4.0);
+        }
+        let path = ScrewPath::new(Motor::IDENTITY, end.into());
+        assert_eq!((path.start(), path.end()), (Motor::IDENTITY, end.into()));
+        assert_eq!((Rotor::IDENTITY.nlerp(end, T::ONE), Rotor::IDENTITY.slerp(end, T::ONE)), (end, end));
     }
 }
 

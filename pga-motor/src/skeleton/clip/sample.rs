@@ -91,15 +91,24 @@ impl<T: Real> Clip<T> {
         if !time.is_finite() {
             return None;
         }
-        let (start, end) = (self.start(), self.end());
-        let inside = start <= time && time < end;
+        let inside = self.start() <= time && time < self.end();
         if wrap == Wrap::Clamp || inside || self.key_count() == 1 {
             return Some(time);
         }
-        let [from, to] = [start, end].map(Real::to_f64);
-        let remainder = (time.to_f64() - from) % (to - from);
-        let position = if remainder < 0.0 { remainder + (to - from) } else { remainder };
-        Some(T::from_f64(from + position))
+        Some(T::from_f64(self.start().to_f64() + self.seconds_into_round(time)))
+    }
+
+    /// How many whole rounds a loop has made before a time; negative before the clip starts. The clip has a duration.
+    pub(in crate::skeleton) fn rounds_before(&self, time: T) -> T {
+        let passed = time.to_f64() - self.start().to_f64() - self.seconds_into_round(time);
+        T::from_f64(passed / (self.end().to_f64() - self.start().to_f64()))
+    }
+
+    /// The seconds since the loop's present round began.
+    fn seconds_into_round(&self, time: T) -> f64 {
+        let [start, end] = [self.start(), self.end()].map(Real::to_f64);
+        let remainder = (time.to_f64() - start) % (end - start);
+        if remainder < 0.0 { remainder + (end - start) } else { remainder }
     }
 
     /// Where a time lies among the keys, for sampling.

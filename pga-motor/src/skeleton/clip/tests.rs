@@ -1,3 +1,6 @@
+use alloc::string::ToString;
+use alloc::vec;
+
 use super::*;
 use crate::{Direction, Rotor, Translator};
 
@@ -50,7 +53,8 @@ fn times_that_are_farther_apart_than_numbers_go_are_no_matter() {
 #[test]
 fn each_interpolation_is_that_of_motors() {
     let clip = clip();
-    let ways: [(Interpolation, fn(M, M, f64) -> M); 5] = [
+    type Way = fn(M, M, f64) -> M;
+    let ways: [(Interpolation, Way); 5] = [
         (Interpolation::Step, |a, _, _| a),
         (Interpolation::Nlerp, M::nlerp),
         (Interpolation::Slerp, M::slerp),
