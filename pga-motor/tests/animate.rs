@@ -283,3 +283,33 @@ fn times_outside_the_clip_are_pointed_out_beside_a_picture() {
     let ended = run(["-o", &scratch.path("strip.svg"), "--times", "1,3"]);
     assert_eq!((ended.code, ended.log.as_str()), (0, "animate: 3 s is outside the clip, which stands still there\n"));
 }
+
+#[cfg(not(feature = "gltf"))]
+#[test]
+fn gltf_asks_for_its_feature() {
+    let expected = "walk.glb: glTF is read by a build with `--features gltf`, which this one is not";
+    assert_eq!(fault(1, ["walk.glb", "--json"]), expected);
+}
+
+#[cfg(feature = "gltf")]
+#[test]
+fn gltf_is_played_in_the_space_of_its_file() {
+    let text = r#"{
+        "asset": { "version": "2.0" },
+        "nodes": [
+            { "name": "armature", "children": [1], "scale": [0.5, 0.5, 0.5], "translation": [0, 0, 7] },
+            { "name": "hip", "children": [2], "translation": [0, 9, 0] },
+            { "name": "knee", "translation": [0, -4, 0] }
+        ],
+        "skins": [ { "joints": [2, 1] } ]
+    }"#;
+    let scratch = Scratch::new("gltf");
+    let file = scratch.with("leg.gltf", text);
+    let printed = json([&file, "--json"]);
+    assert_eq!((&printed["clip"], printed["samples"].as_array().map(Vec::len)), (&Value::from("rest"), Some(1)));
+    let joints = printed["samples"][0]["joints"].as_array().expect("joints are a list");
+    assert_eq!(joints.iter().map(|joint| &joint["name"]).collect::<Vec<_>>(), ["knee", "hip"]);
+    assert_eq!(joints.iter().map(position).collect::<Vec<_>>(), [[0.0, 2.5, 7.0], [0.0, 4.5, 7.0]]);
+    let broken = scratch.with("broken.glb", "glTF");
+    assert!(fault(1, [&broken, "--json"]).starts_with(&format!("{broken}: ")));
+}

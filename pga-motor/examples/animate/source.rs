@@ -2,6 +2,8 @@
 
 mod bvh;
 mod figure;
+#[cfg(feature = "gltf")]
+mod gltf;
 
 use std::path::Path;
 
@@ -73,6 +75,12 @@ impl Source {
     }
 }
 
+#[cfg(feature = "gltf")]
+fn read_gltf(path: &Path) -> Result<Source, String> {
+    gltf::read(path)
+}
+
+#[cfg(not(feature = "gltf"))]
 fn read_gltf(_: &Path) -> Result<Source, String> {
     Err("glTF is read by a build with `--features gltf`, which this one is not".to_owned())
 }
