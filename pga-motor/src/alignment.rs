@@ -100,7 +100,9 @@ mod tests {
     use core::f64::consts::FRAC_1_SQRT_2;
 
     fn sum(inputs: &[(Rotor<f64>, f64)]) -> Option<[f64; 4]> {
-        aligned_sum(inputs, |a: Rotor<f64>, b| a.s * b.s + a.e23 * b.e23 + a.e31 * b.e31 + a.e12 * b.e12)
+        aligned_sum(inputs.iter().copied(), |a: Rotor<f64>, b| {
+            a.s * b.s + a.e23 * b.e23 + a.e31 * b.e31 + a.e12 * b.e12
+        })
     }
 
     const ONE: Rotor<f64> = Rotor::IDENTITY;
