@@ -1,8 +1,8 @@
 //! What of a skeleton is drawn: its bones, and on which side of the body they are.
 
-use pga_motor::import::bvh::Tip;
-use pga_motor::skeleton::{Pose, Skeleton, SkeletonError, local_to_model};
-use pga_motor::{Motor, Point};
+use pga_motor::skeleton::Skeleton;
+
+use super::source::Source;
 
 /// A side of the body.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -12,6 +12,16 @@ pub(crate) enum Side {
     Right,
 }
 
+impl Side {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Middle => "middle",
+            Self::Right => "right",
+        }
+    }
+}
+
 /// A line from one point of the figure to another.
 pub(crate) struct Bone {
     pub(crate) from: usize,
@@ -19,48 +29,50 @@ pub(crate) struct Bone {
     pub(crate) side: Side,
 }
 
-/// The points of a figure are its joints, then its tips.
+/// The points of a figure are the source's joints, then its tips.
 pub(crate) struct Anatomy {
     pub(crate) bones: Vec<Bone>,
-    /// For each joint, its side.
+    /// For each of the source's joints, its side.
     pub(crate) sides: Vec<Side>,
     /// Pairs of points, the bottom and the top of a head.
     pub(crate) heads: Vec<(usize, usize)>,
-    tips: Vec<Tip<f64>>,
 }
 
 impl Anatomy {
-    pub(crate) fn of(skeleton: &Skeleton<f64>, tips: &[Tip<f64>]) -> Self {
-        let mut sides: Vec<Side> = Vec::with_capacity(skeleton.len());
-        let mut bones = Vec::new();
-        for (to, name) in skeleton.names().iter().enumerate() {
-            let parent = skeleton.parent(to);
-            let side = side_of(name).unwrap_or_else(|| parent.map_or(Side::Middle, |parent| sides[parent]));
-            bones.extend(parent.map(|from| Bone { from, to, side }));
-            sides.push(side);
+    pub(crate) fn of(source: &Source) -> Self {
+        let Source { skeleton, joints, tips, .. } = source;
+        let all_sides = sides_of(skeleton);
+        let mut point_of = vec![None; skeleton.len()];
+        joints.iter().enumerate().for_each(|(point, &joint)| point_of[joint] = Some(point));
+
+        let mut bones: Vec<Bone> = Vec::new();
+        for (to, &joint) in joints.iter().enumerate() {
+            // What carries joints and is none is passed over.
+            let mut ancestors = std::iter::successors(skeleton.parent(joint), |&joint| skeleton.parent(joint));
+            let from = ancestors.find_map(|ancestor| point_of[ancestor]);
+            bones.extend(from.map(|from| Bone { from, to, side: all_sides[joint] }));
         }
         let mut heads = Vec::new();
-        for (to, tip) in (skeleton.len()..).zip(tips) {
+        for (to, tip) in (joints.len()..).zip(tips) {
+            let Some(from) = point_of[tip.joint] else { continue };
             if skeleton.names()[tip.joint].to_lowercase().contains("head") {
-                heads.push((tip.joint, to));
+                heads.push((from, to));
             } else {
-                bones.push(Bone { from: tip.joint, to, side: sides[tip.joint] });
+                bones.push(Bone { from, to, side: all_sides[tip.joint] });
             }
         }
-        Self { bones, sides, heads, tips: tips.to_vec() }
+        Self { bones, sides: joints.iter().map(|&joint| all_sides[joint]).collect(), heads }
     }
+}
 
-    /// Where the points of the figure are in a pose, by forward kinematics.
-    pub(crate) fn points(&self, skeleton: &Skeleton<f64>, pose: &Pose<f64>) -> Result<Vec<Point<f64>>, SkeletonError> {
-        let mut model = vec![Motor::IDENTITY; skeleton.len()];
-        local_to_model(skeleton, pose, &mut model)?;
-        let joints = model.iter().map(|motor| motor.transform_origin());
-        let tips = self.tips.iter().map(|tip| {
-            let Tip { joint, offset } = *tip;
-            model[joint].transform_point(Point::new(offset.x, offset.y, offset.z))
-        });
-        Ok(joints.chain(tips).collect())
+/// The side of each joint: what its name tells, or else its parent's.
+fn sides_of(skeleton: &Skeleton<f64>) -> Vec<Side> {
+    let mut sides: Vec<Side> = Vec::with_capacity(skeleton.len());
+    for (joint, name) in skeleton.names().iter().enumerate() {
+        let inherited = || skeleton.parent(joint).map_or(Side::Middle, |parent| sides[parent]);
+        sides.push(side_of(name).unwrap_or_else(inherited));
     }
+    sides
 }
 
 /// The side that a joint's name tells, as `LeftArm`, `mixamorig:LeftArm`, `LThumb`, `lShldr`, `arm_l`, `Arm.L` or `Bip01 L Arm` do.

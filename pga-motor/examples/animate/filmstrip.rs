@@ -4,14 +4,9 @@ use std::fmt::Write as _;
 
 use pga_motor::{Motor, Point};
 
-use crate::anatomy::{Anatomy, Bone, Side};
-use crate::view::{Seen, View};
-
-/// One pose.
-pub(crate) struct Panel {
-    pub(crate) caption: String,
-    pub(crate) points: Vec<Point<f64>>,
-}
+use super::anatomy::{Anatomy, Bone, Side};
+use super::panel::Panel;
+use super::view::{Seen, View, nice};
 
 pub(crate) struct Filmstrip {
     pub(crate) title: String,
@@ -125,7 +120,7 @@ impl Filmstrip {
         for (place, (side, name)) in [(Side::Left, "left"), (Side::Right, "right")].into_iter().enumerate() {
             if self.anatomy.sides.contains(&side) {
                 let x = width - GAP - 150.0 + 80.0 * place as f64;
-                let class = class_of(side);
+                let class = side.name();
                 put(
                     svg,
                     format_args!(
@@ -179,7 +174,7 @@ impl Filmstrip {
             if (x1 - x2).hypot(y1 - y2) < 0.05 {
                 continue;
             }
-            let (class, stroke) = (class_of(bone.side), 5.0 + 6.0 * near / view.size);
+            let (class, stroke) = (bone.side.name(), 5.0 + 6.0 * near / view.size);
             shapes.push((
                 near,
                 format!(
@@ -191,7 +186,7 @@ impl Filmstrip {
             // A dot lies on the bones that meet in it.
             let meeting = self.anatomy.bones.iter().filter(|bone| bone.from == joint || bone.to == joint);
             let near = meeting.map(middle).fold(seen[joint].near, f64::max);
-            let ([x, y], class) = (window.place(seen[joint]), class_of(side));
+            let ([x, y], class) = (window.place(seen[joint]), side.name());
             shapes.push((near, format!(r#"<circle class="{class} joint" cx="{x:.1}" cy="{y:.1}" r="2.9"/>"#)));
         }
         for &(bottom, top) in &self.anatomy.heads {
@@ -249,21 +244,7 @@ fn write_ground(svg: &mut String, view: &View, window: &Window, motor: Motor<f64
     put(svg, format_args!(r#"<path class="ground" d="M0 {y:.1}H{:.1}"/>"#, window.width()));
 }
 
-/// The largest of 1, 2, 5 times a power of ten that is not above `length`.
-fn nice(length: f64) -> f64 {
-    let power = 10_f64.powf(length.log10().floor());
-    [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|&candidate| candidate <= length).unwrap_or(power)
-}
-
-fn class_of(side: Side) -> &'static str {
-    match side {
-        Side::Left => "left",
-        Side::Middle => "middle",
-        Side::Right => "right",
-    }
-}
-
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 

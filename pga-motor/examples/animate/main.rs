@@ -1,96 +1,109 @@
-//! Plays a motion-capture file, or a small clip written in code, and draws a filmstrip of it.
+//! Plays a skeleton from a glTF or BVH file, or a small clip written in code: as a filmstrip, as a page to look at in a browser, or as
+//! numbers.
 //!
 //! ```text
-//! cargo run --release -p pga-motor --example animate -- walk.bvh -o walk.svg
+//! cargo run --release -p pga-motor --example animate -- walk.bvh -o walk.html
+//! cargo run --release -p pga-motor --example animate --features gltf -- Fox.glb --clip Run -o run.svg
 //! ```
 
 mod anatomy;
 mod arguments;
-mod clip;
 mod filmstrip;
+mod page;
+mod panel;
+mod player;
+mod positions;
+mod source;
+mod tracks;
 mod view;
 
 use std::error::Error;
 use std::fs;
+use std::io::{self, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
-use anatomy::Anatomy;
-use arguments::{Arguments, Command};
-use clip::Clip;
-use filmstrip::{Filmstrip, Panel};
+use arguments::{Arguments, Command, Output};
+use filmstrip::Filmstrip;
+use page::Page;
+use player::Player;
+use source::Source;
 
 const USAGE: &str = "\
-Usage: animate [FILE.bvh] [-o OUT.svg] [--times SECONDS,SECONDS,...]
+Usage: animate [FILE.glb|FILE.gltf|FILE.bvh] [-o OUT.svg|OUT.html] [options]
 
-Poses the skeleton of a BVH file at several times and draws the poses side by side.
-Without a file, plays a small clip written in code.
+Poses the skeleton of a file at several times and draws the poses side by side, or
+writes a page that plays it in a browser. Without a file, plays a figure written in code,
+which has two clips, `waving` and `leaping`. glTF needs a build with `--features gltf`.
+A page holds 60 poses a second, fewer of a clip of some minutes and more of a short one.
 
-  -o, --output OUT.svg   where the picture goes (animate.svg)
-      --times LIST       times in seconds, such as 0,0.5,1.25 (eight, evenly spaced)
-  -h, --help             this text";
-
-/// Beyond this, in the clip's unit of length, a picture's arithmetic would overflow.
-const FARTHEST: f64 = 1e100;
+  -o, --output OUT          where the picture goes (animate.svg): a filmstrip as .svg,
+                            a page as .html
+      --clip NAME|INDEX     which clip of the file, by its name or counted from 0 (0)
+      --interpolation WAY   step, nlerp, slerp, screw or split (split)
+      --every N             keep only each N-th key of the clip, and the last: with few
+                            keys the ways to interpolate differ more (1)
+      --times LIST          times in seconds, such as 0,0.5,1.25; before the clip and
+                            after it, it stands still (eight, evenly spaced)
+      --json                where the joints are at these times, in the file's space
+                            and unit, as JSON on standard output instead of a picture
+  -h, --help                this text";
 
 fn main() -> ExitCode {
-    let arguments = match arguments::parse(lexopt::Parser::from_env()) {
-        Ok(Command::Play(arguments)) => arguments,
-        Ok(Command::Help) => {
-            println!("{USAGE}");
-            return ExitCode::SUCCESS;
-        }
+    run(lexopt::Parser::from_env(), &mut io::stdout(), &mut io::stderr()).into()
+}
+
+/// Does what the command line says and returns the exit code. Where that is not 0, nothing was written to `out`.
+pub(crate) fn run(parser: lexopt::Parser, out: &mut dyn Write, log: &mut dyn Write) -> u8 {
+    let played = match arguments::parse(parser) {
+        Ok(Command::Play(arguments)) => play(&arguments, log),
+        Ok(Command::Help) => Ok(USAGE.to_owned()),
         Err(error) => {
-            eprintln!("animate: {error} (--help shows the usage)");
-            return ExitCode::from(2);
+            let _ = writeln!(log, "animate: {error} (--help shows the usage)");
+            return 2;
         }
     };
-    match play(&arguments) {
-        Ok(()) => ExitCode::SUCCESS,
+    let said = played.and_then(|text| {
+        writeln!(out, "{text}").map_err(|error| format!("cannot write to standard output: {error}").into())
+    });
+    match said {
+        Ok(()) => 0,
         Err(error) => {
-            eprintln!("animate: {error}");
-            ExitCode::FAILURE
+            let _ = writeln!(log, "animate: {error}");
+            1
         }
     }
 }
 
-fn play(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let clip = match &arguments.file {
-        Some(path) => Clip::from_file(path)?,
-        None => Clip::waving(),
-    };
-    println!("{}: {}", clip.title(), clip.summary());
-    let (anatomy, panels) = draw(&clip, &arguments.times)?;
-    let strip = Filmstrip { title: clip.title(), summary: clip.summary(), anatomy, panels };
-    let output = &arguments.output;
-    fs::write(output, strip.svg()).map_err(|error| format!("cannot write {}: {error}", output.display()))?;
-    println!("{} poses drawn to {}", strip.panels.len(), output.display());
-    Ok(())
-}
-
-fn draw(clip: &Clip, times: &[f64]) -> Result<(Anatomy, Vec<Panel>), Box<dyn Error>> {
-    let anatomy = Anatomy::of(clip.skeleton(), clip.tips());
-    let times = if times.is_empty() { evenly_spaced_times(clip) } else { times.to_vec() };
-    let mut panels = Vec::with_capacity(times.len());
-    for time in times {
-        if time > clip.duration() {
-            eprintln!(
-                "animate: {time} s is after the end of the clip; showing its last pose, at {:.3} s",
-                clip.duration()
-            );
-        }
-        let (caption, pose) = clip.pose_at(time.min(clip.duration()))?;
-        let points = anatomy.points(clip.skeleton(), &pose)?;
-        if points.iter().any(|point| [point.x, point.y, point.z].iter().any(|x| x.is_nan() || x.abs() > FARTHEST)) {
-            return Err(format!("expected all joints within {FARTHEST:e} of the origin at {caption}").into());
-        }
-        panels.push(Panel { caption, points });
+/// What is to be said on standard output when all is done.
+fn play(arguments: &Arguments, log: &mut dyn Write) -> Result<String, Box<dyn Error>> {
+    let source = arguments.file.as_deref().map_or_else(|| Ok(Source::figure()), Source::open)?;
+    let clip = source.clip(arguments.clip.as_deref())?;
+    for warning in source.warnings(clip) {
+        let _ = writeln!(log, "animate: {}: warning: {warning}", source.name);
     }
-    Ok((anatomy, panels))
+    let mut player = Player::new(&source, clip, arguments.every, arguments.interpolation)?;
+    match &arguments.output {
+        Output::Positions => positions::json(&mut player, arguments),
+        Output::Filmstrip(path) => {
+            for &time in arguments.times.iter().filter(|&&time| !player.is_within(time)) {
+                let _ = writeln!(log, "animate: {time} s is outside the clip, which stands still there");
+            }
+            let panels = panel::draw(&mut player, &arguments.times)?;
+            let strip =
+                Filmstrip { title: player.title(), summary: player.summary(), anatomy: player.anatomy(), panels };
+            write(path, &strip.svg())?;
+            Ok(format!("{}: {}\n{} poses drawn to {}", strip.title, strip.summary, strip.panels.len(), path.display()))
+        }
+        Output::Page(path) => {
+            let page = Page::of(&mut player)?;
+            write(path, &page.html())?;
+            let (title, summary) = (player.title(), player.summary());
+            Ok(format!("{title}: {summary}\n{} written to {}", page.content(), path.display()))
+        }
+    }
 }
 
-/// Eight times from the first pose to the last, or as many as there are poses.
-fn evenly_spaced_times(clip: &Clip) -> Vec<f64> {
-    let count = clip.pose_count().min(8);
-    let steps = count.saturating_sub(1).max(1) as f64;
-    (0..count).map(|step| clip.duration() * step as f64 / steps).collect()
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    fs::write(path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
 }

@@ -2,9 +2,14 @@
 
 use pga_motor::{Direction, Motor, Point, Rotor, Translator};
 
+/// How far one looks down on the figure, in radians.
+pub(crate) const TILT: f64 = std::f64::consts::PI / 20.0;
+
 /// A parallel view with y up. Each figure is brought with the ground under its root to the origin of its panel.
 pub(crate) struct View {
     camera: Rotor<f64>,
+    /// How far the camera has turned the figure about the upward axis, in radians.
+    pub(crate) turn: f64,
     /// Height of the ground in the skeleton's space.
     pub(crate) ground: f64,
     /// Unit vector in the ground, x and z, from left to right in the picture: the way the figure goes, if it does.
@@ -32,8 +37,9 @@ impl View {
         // The angle from +z, where a figure looks in the absence of anything better, towards +x.
         let heading = travel.map_or(0.0, |[x, z]| x.atan2(z));
         let turn: f64 = if travel.is_some() { 60.0 } else { 25.0 };
-        let camera = Rotor::about_x(9_f64.to_radians()) * Rotor::about_y(turn.to_radians() - heading);
-        Self { camera, ground, track: travel.unwrap_or([1.0, 0.0]), size }
+        let turn = turn.to_radians() - heading;
+        let camera = Rotor::about_x(TILT) * Rotor::about_y(turn);
+        Self { camera, turn, ground, track: travel.unwrap_or([1.0, 0.0]), size }
     }
 
     /// The motor that takes a figure to its panel.
@@ -65,4 +71,10 @@ fn diagonal(points: &[Point<f64>]) -> f64 {
         high - low
     };
     edge(|p| p.x).hypot(edge(|p| p.y)).hypot(edge(|p| p.z))
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `length`.
+pub(crate) fn nice(length: f64) -> f64 {
+    let power = 10_f64.powf(length.log10().floor());
+    [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|&candidate| candidate <= length).unwrap_or(power)
 }

@@ -52,7 +52,7 @@ use core::ops::Range;
 
 pub use error::{BvhError, BvhReason, FrameError};
 
-use crate::skeleton::{Skeleton, SkeletonError};
+use crate::skeleton::{Clip, ClipError, Skeleton, SkeletonError};
 use crate::{Direction, Motor, Real, Rotor, Translator};
 use hierarchy::Hierarchy;
 use motion::Motion;
@@ -216,6 +216,44 @@ impl<T: Real> Bvh<T> {
             *local = local_motor(self.offsets[joint], &self.channels[range.clone()], &values[range]);
         }
         Ok(())
+    }
+
+    /// All frames as a clip: each frame a key, the first at 0 seconds, everything between them interpolated. It has no name, as the
+    /// format has none for it. It takes a motor for each joint in each frame, whether the joint has channels or not.
+    ///
+    /// # Errors
+    /// [`ClipError::Empty`] for a file without frames. [`ClipError::NonFinite`] where offset and position together are too large
+    /// for the scalar, [`ClipError::TimeNotFinite`] and [`ClipError::TimeNotIncreasing`] where frames are so many, or so close
+    /// to each other, that it cannot tell their times.
+    ///
+    /// ```
+    /// use pga_motor::Motor;
+    /// use pga_motor::import::bvh;
+    /// use pga_motor::skeleton::{Interpolation, Wrap};
+    ///
+    /// let text = "
+    ///     HIERARCHY
+    ///     ROOT hip { OFFSET 0 0 0 CHANNELS 1 Xposition }
+    ///     MOTION
+    ///     Frames: 2
+    ///     Frame Time: 0.5
+    ///     3
+    ///     7
+    /// ";
+    /// let clip = bvh::parse::<f64>(text)?.clip()?;
+    /// let mut pose = [Motor::IDENTITY];
+    /// clip.sample_into(0.125, Interpolation::Split, Wrap::Clamp, &mut pose)?;
+    /// assert_eq!(pose[0].transform_origin().x, 4.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn clip(&self) -> Result<Clip<T>, ClipError> {
+        let (frames, joints) = (self.frame_count(), self.skeleton.len());
+        let times = (0..frames).map(|frame| T::from_f64(frame as f64) * self.frame_time()).collect();
+        let mut keys = alloc::vec![Motor::IDENTITY; frames * joints];
+        for (frame, locals) in keys.chunks_exact_mut(joints).enumerate() {
+            self.pose_into(frame, locals).expect("invariant: a chunk for each frame, of the skeleton's length");
+        }
+        Clip::new(joints, times, keys)
     }
 }
 

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 
 use super::*;
 use crate::Point;
-use crate::skeleton::local_to_model;
+use crate::skeleton::{Interpolation, JointModes, Wrap, local_to_model};
 
 const LEG: &str = "\
 HIERARCHY
@@ -348,4 +348,46 @@ fn buffers_of_another_length_are_refused() {
     let error = file.pose_into(1, &mut locals).unwrap_err();
     assert_eq!(error.to_string(), "expected 2 motors in the pose, one for each joint, found 3");
     assert_eq!(locals, [Motor::IDENTITY; 3]);
+}
+
+#[test]
+fn a_clip_has_the_frames_as_keys() {
+    let file = read(LEG);
+    let clip = file.clip().unwrap();
+    assert_eq!((clip.name(), clip.times()), ("", &[0.0, 0.5][..]));
+    assert_eq!(clip.modes(), [JointModes::default(); 2]);
+    let mut locals = [Motor::IDENTITY; 2];
+    for frame in 0..2 {
+        file.pose_into(frame, &mut locals).unwrap();
+        assert_eq!(clip.key(frame).unwrap(), locals);
+    }
+    clip.sample_into(0.25, Interpolation::Split, Wrap::Clamp, &mut locals).unwrap();
+    // Half way from (0, 10, 0) to (1, 10, -10); sums and halves of few bits, so only the motors' half vectors and products round.
+    let middle = locals[0].transform_origin();
+    assert!(middle.distance_to_point(Point::new(0.5, 10.0, -5.0)) < 1e-14, "{middle:?}");
+}
+
+#[test]
+fn a_clip_takes_the_nearer_sign_where_angles_wrap() {
+    let text = LEG.replace("0 9 0 90 0 0 0 0 0", "0 0 0 179 0 0 0 0 0").replace("1 9 -1e1 0", "0 0 0 -179");
+    let clip = read(&text).clip().unwrap();
+    let mut locals = [Motor::IDENTITY; 2];
+    clip.sample_into(0.25, Interpolation::Screw, Wrap::Clamp, &mut locals).unwrap();
+    // Two degrees through the half turn, not 358 back: a few roundings of angles up to pi.
+    let point = locals[0].transform_point(Point::new(1.0, 0.0, 0.0));
+    assert!(point.distance_to_point(Point::new(-1.0, 1.0, 0.0)) < 1e-14, "{point:?}");
+}
+
+#[test]
+fn a_clip_needs_frames_whose_times_and_places_are_numbers() {
+    let file = read("HIERARCHY ROOT a { OFFSET 1 2 3 } MOTION\nFrames: 0\nFrame Time: 0.01");
+    assert_eq!(file.clip().unwrap_err(), ClipError::Empty { joints: 1, keys: 0 });
+    let one = read("HIERARCHY ROOT a { OFFSET 0 0 0 CHANNELS 1 Xposition } MOTION\nFrames: 1\nFrame Time: 0\n7");
+    assert_eq!(one.clip().unwrap().times(), [0.0]);
+    let slow = LEG.replace("Time: 0.5", "Time: 3e38").replace("Frames: 2", "Frames: 3") + "0 0 0 0 0 0 0 0 0\n";
+    let error = parse::<f32>(&slow).unwrap().clip().unwrap_err();
+    assert_eq!(error, ClipError::TimeNotFinite { key: 2 });
+    let far = LEG.replace("OFFSET 0 1 0", "OFFSET 0 3e38 0").replace("0 9 0 90", "0 3e38 0 90");
+    let error = parse::<f32>(&far).unwrap().clip().unwrap_err();
+    assert_eq!(error, ClipError::NonFinite { key: 0, joint: 0 });
 }
