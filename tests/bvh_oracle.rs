@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use pga_motor::import::bvh::{self, Bvh};
-use pga_motor::skeleton::local_to_model;
-use pga_motor::{Direction, Motor, Point, Real, Rotor, Translator};
+use pga_motor::skeleton::{Interpolation, Wrap, local_to_model};
+use pga_motor::{Motor, Point, Real};
 use serde_json::Value;
 
 type Outcome = Result<(), Box<dyn Error>>;
@@ -123,32 +123,8 @@ fn motion_capture_agrees_with_three_js() -> Outcome {
 /// The pose at a time in seconds, as three.js has it: between two frames the translation on the straight line and the rotation
 /// on the great arc.
 fn locals_at(file: &Bvh<f64>, time: f64) -> Vec<Motor<f64>> {
-    let last = file.frame_count() - 1;
-    let position = (time / file.frame_time()).clamp(0.0, last as f64);
-    let frame = position.floor() as usize;
-    let mut before = vec![Motor::IDENTITY; file.skeleton().len()];
-    let mut after = before.clone();
-    file.pose_into(frame, &mut before).expect("the frame is one of the file's");
-    file.pose_into(last.min(frame + 1), &mut after).expect("the frame is one of the file's");
-    before.iter().zip(&after).map(|(&a, &b)| between(a, b, position - frame as f64)).collect()
-}
-
-fn between(a: Motor<f64>, b: Motor<f64>, t: f64) -> Motor<f64> {
-    let [p, q] = [a, b].map(|motor| motor.transform_origin());
-    let position = [p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)];
-    let quaternion = great_arc([a.s, a.e23, a.e31, a.e12], [b.s, b.e23, b.e31, b.e12], t);
-    let [s, e23, e31, e12] = quaternion;
-    Motor::from_rotor_translator(
-        Rotor { s, e23, e31, e12 },
-        Translator::from_vector(Direction::new(position[0], position[1], position[2])),
-    )
-}
-
-fn great_arc(a: [f64; 4], b: [f64; 4], t: f64) -> [f64; 4] {
-    let dot: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
-    let angle = dot.abs().min(1.0).acos();
-    // Below this the arc and its chord differ by less than 1e-8 squared.
-    let [weight_a, weight_b] =
-        if angle < 1e-8 { [1.0 - t, t] } else { [(1.0 - t) * angle, t * angle].map(|part| part.sin() / angle.sin()) };
-    core::array::from_fn(|i| weight_a * a[i] + weight_b * b[i] * dot.signum())
+    let clip = file.clip().expect("the file has frames");
+    let mut locals = vec![Motor::IDENTITY; clip.joint_count()];
+    clip.sample_into(time, Interpolation::Split, Wrap::Clamp, &mut locals).expect("the buffer has the clip's length");
+    locals
 }

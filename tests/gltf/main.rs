@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use matrices::{Matrix, Outcome, Raw, apply, multiply};
 use pga_motor::import::gltf::{self, Gltf};
-use pga_motor::skeleton::{Clip, Interpolation, Wrap, local_to_model};
+use pga_motor::skeleton::{Clip, Influences, Interpolation, Wrap, local_to_model, skin_points_linear};
 use pga_motor::{Motor, Point, Real};
 use serde_json::Value;
 
@@ -147,6 +147,38 @@ fn fox_agrees_with_three_js() -> Outcome {
     let worst = largest_distance(&file, &oracle, "Fox.glb")?;
     println!("Fox.glb: off by up to {worst:.1e} of its size");
     assert!(worst <= 1e-4, "off by {worst:e} of the size");
+    Ok(())
+}
+
+/// The numbers are in the mesh's own space, which is the file's: its node stands at the origin.
+#[test]
+fn the_skin_of_the_fox_agrees_with_three_js() -> Outcome {
+    let Some(folder) = shared("the_skin_of_the_fox_agrees_with_three_js") else { return Ok(()) };
+    let oracle: Value = serde_json::from_str(&fs::read_to_string(folder.join("oracle.json"))?)?;
+    let path = folder.join("Fox.glb");
+    let (file, raw) = (gltf::read::<f64>(&path)?, Raw::read(&path)?);
+    let skin = &file.skins()[0];
+    let (mut worst, mut compared): (f64, usize) = (0.0, 0);
+    for case in oracle["cases"].as_array().ok_or("cases are a list")?.iter().filter(|case| case["file"] == "Fox.glb") {
+        let time = case["t"].as_f64().ok_or("a time is a number")?;
+        let clip = &file.clips()[case["clip"].as_u64().ok_or("a clip has an index")? as usize];
+        let model = models(&file, Some((clip, time)));
+        let motors: Vec<_> =
+            skin.joints.iter().zip(&skin.inv_bind_poses).map(|(&joint, &bind)| model[joint] * bind).collect();
+        for row in case["lbs_vertices_local"].as_array().ok_or("vertices are a list")? {
+            let (place, joints, weights) = raw.vertex(row[0].as_u64().ok_or("a vertex has an index")? as usize);
+            let [x, y, z] = place.map(|length| length * skin.scale);
+            let influences = Influences { joints: &[joints], weights: &[weights] };
+            let mut found = [Point::ORIGIN];
+            skin_points_linear(&motors, influences, &[Point::new(x, y, z)], &mut found)?;
+            let expected = [1, 2, 3].map(|i| row[i].as_f64().expect("a coordinate is a number"));
+            worst = worst.max(distance([found[0].x, found[0].y, found[0].z], expected));
+            compared += 1;
+        }
+    }
+    let worst = worst / size(&file);
+    println!("Fox.glb: {compared} vertices, off by up to {worst:.1e} of its size");
+    assert!(compared > 0 && worst <= 1e-4, "{compared} vertices, off by {worst:e} of the size");
     Ok(())
 }
 

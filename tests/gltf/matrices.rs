@@ -67,6 +67,16 @@ impl Raw {
         list(&self.json["skins"]).iter().map(skin).collect()
     }
 
+    /// A vertex of the first mesh: its place, the joints of the skin that move it, and how much.
+    pub(crate) fn vertex(&self, vertex: usize) -> ([f64; 3], [u16; 4], [f64; 4]) {
+        let attributes = &self.json["meshes"][0]["primitives"][0]["attributes"];
+        let read = |name: &str| self.element(number(&attributes[name]), vertex);
+        let (place, joints, weights) = (read("POSITION"), read("JOINTS_0"), read("WEIGHTS_0"));
+        // Whole numbers here, which `element` divides as if they were fractions.
+        let joints = std::array::from_fn(|i| (joints[i] * 65535.0).round() as u16);
+        (std::array::from_fn(|i| place[i]), joints, std::array::from_fn(|i| weights[i]))
+    }
+
     fn local(&self, index: usize, at: Option<(usize, f64)>) -> Matrix {
         let node = &self.json["nodes"][index];
         let part = |name: &str, rest: &[f64]| {
