@@ -245,6 +245,8 @@ fn write_ground(svg: &mut String, view: &View, window: &Window, motor: Motor<f64
 }
 
 pub(crate) fn escape(text: &str) -> String {
+    // Characters that no XML may hold are left out.
+    let text: String = text.chars().filter(|character| !character.is_control()).collect();
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 

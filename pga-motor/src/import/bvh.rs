@@ -11,7 +11,8 @@
 //! local = translator(OFFSET + position channels) * rotor(first rotation channel) * rotor(second) * ...
 //! ```
 //!
-//! so the rotation listed last acts first. Angles are degrees in the file, right-handed about the joint's own axes; lengths are in
+//! as three.js reads it (some programs, Blender among them, write positions of joints other than the root that have the offset in them
+//! already), so the rotation listed last acts first. Angles are degrees in the file, right-handed about the joint's own axes; lengths are in
 //! the file's unit, which the format does not tell. Rotations become rotors one by one, whatever their order, so nothing passes
 //! through a set of angles and there is no gimbal to lock.
 //!
@@ -60,6 +61,9 @@ use words::Words;
 
 #[cfg(test)]
 mod tests;
+
+/// How many motors a clip may have, if the file does not have a sixteenth as many values.
+pub const MAX_JOINT_KEYS: usize = 1 << 23;
 
 /// A coordinate axis of a joint's frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -222,7 +226,8 @@ impl<T: Real> Bvh<T> {
     /// format has none for it. It takes a motor for each joint in each frame, whether the joint has channels or not.
     ///
     /// # Errors
-    /// [`ClipError::Empty`] for a file without frames. [`ClipError::NonFinite`] where offset and position together are too large
+    /// [`ClipError::Empty`] for a file without frames. [`ClipError::TooManyKeys`] for more motors than [`MAX_JOINT_KEYS`] and than 16 for
+    /// each value of the file. [`ClipError::NonFinite`] where offset and position together are too large
     /// for the scalar, [`ClipError::TimeNotFinite`] and [`ClipError::TimeNotIncreasing`] where frames are so many, or so close
     /// to each other, that it cannot tell their times.
     ///
@@ -248,6 +253,12 @@ impl<T: Real> Bvh<T> {
     /// ```
     pub fn clip(&self) -> Result<Clip<T>, ClipError> {
         let (frames, joints) = (self.frame_count(), self.skeleton.len());
+        // Joints need no channels, so motors may be many though the file is short.
+        let limit = MAX_JOINT_KEYS.max(self.motion.values.len().saturating_mul(16));
+        let found = frames.saturating_mul(joints);
+        if found > limit {
+            return Err(ClipError::TooManyKeys { limit, found });
+        }
         let times = (0..frames).map(|frame| T::from_f64(frame as f64) * self.frame_time()).collect();
         let mut keys = alloc::vec![Motor::IDENTITY; frames * joints];
         for (frame, locals) in keys.chunks_exact_mut(joints).enumerate() {

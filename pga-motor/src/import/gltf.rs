@@ -60,9 +60,10 @@ mod tolerance;
 mod uri;
 mod warning;
 
-use alloc::string::ToString;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use std::fs;
+use std::io::Read;
 use std::path::Path;
 
 pub use clip::MAX_JOINT_KEYS;
@@ -128,20 +129,31 @@ impl<T> Gltf<T> {
     }
 }
 
+/// How many bytes the files beside a file may have together.
+pub const MAX_BUFFER_BYTES: u64 = 1 << 31;
+
 /// Reads a file, and the files beside it in which it keeps buffers. Of these only what skins and animations need is read, and only
 /// from the file's folder and below.
 ///
 /// # Errors
-/// [`GltfReason::Io`] where the file cannot be read, [`GltfReason::Load`] where one beside it cannot, and those of [`parse`].
+/// [`GltfReason::Io`] where the file cannot be read, [`GltfReason::Load`] where one beside it cannot, or all of them have more than
+/// [`MAX_BUFFER_BYTES`], and those of [`parse`].
 pub fn read<T: Real>(path: impl AsRef<Path>) -> Result<Gltf<T>, GltfError> {
     let path = path.as_ref();
     let io = |error: std::io::Error| GltfReason::Io { path: path.display().to_string(), message: error.to_string() };
     let bytes = fs::read(path).map_err(|error| io(error).at(Place::File))?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    let mut left = MAX_BUFFER_BYTES;
     parse_all(&bytes, &mut |uri| {
         let beside = uri::path_beside(uri)?;
-        let load = |error: std::io::Error| GltfReason::Load { uri: quote(uri), message: error.to_string() };
-        fs::read(folder.join(beside)).map_err(load)
+        let load = |message: String| GltfReason::Load { uri: quote(uri), message };
+        let file = fs::File::open(folder.join(beside)).map_err(|error| load(error.to_string()))?;
+        let mut buffer = Vec::new();
+        let length = file.take(left + 1).read_to_end(&mut buffer).map_err(|error| load(error.to_string()))? as u64;
+        left = left
+            .checked_sub(length)
+            .ok_or_else(|| load(alloc::format!("more than {MAX_BUFFER_BYTES} bytes in all")))?;
+        Ok(buffer)
     })
 }
 

@@ -391,3 +391,14 @@ fn a_clip_needs_frames_whose_times_and_places_are_numbers() {
     let error = parse::<f32>(&far).unwrap().clip().unwrap_err();
     assert_eq!(error, ClipError::NonFinite { key: 0, joint: 0 });
 }
+
+#[test]
+fn joints_without_channels_do_not_make_a_short_file_a_large_clip() {
+    let (joints, frames) = (6000, 12_000);
+    let mut text = String::from("HIERARCHY\nROOT a { OFFSET 0 0 0 CHANNELS 1 Zrotation\n");
+    text += &"JOINT j { OFFSET 0 0 0 }\n".repeat(joints);
+    text += &format!("}}\nMOTION\nFrames: {frames}\nFrame Time: 1\n");
+    text += &"0\n".repeat(frames);
+    let error = read(&text).clip().unwrap_err();
+    assert_eq!(error.to_string(), "expected at most 8388608 motors in a clip, found 72012000");
+}

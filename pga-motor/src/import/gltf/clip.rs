@@ -134,6 +134,7 @@ impl<'a, 'b> Reader<'a, 'b> {
                 if worst > 1e-6 {
                     self.warnings.push(Warning::ScaleDropped { place: place.clone(), worst });
                 }
+                movements[joint].scale = Some((channel, worst));
             }
             Property::Weights => {}
         }
@@ -143,8 +144,12 @@ impl<'a, 'b> Reader<'a, 'b> {
     /// Follows the splines with keys, so closely that positions are right.
     fn refine(&mut self, index: usize, movements: Vec<Movement>) -> Result<Vec<JointKeys>, GltfError> {
         let tolerances = Tolerances::of(self.hierarchy, &movements);
+        if let Some((joint, channel, off)) = tolerances.scale_too_far(&movements) {
+            let place = self.place(index, channel, Some((Property::Scale, self.hierarchy.joints[joint].node)));
+            return Err(GltfReason::ScaleDrift { off }.at(place));
+        }
         let mut all = Vec::with_capacity(movements.len());
-        for (joint, Movement { translation, rotation }) in movements.into_iter().enumerate() {
+        for (joint, Movement { translation, rotation, .. }) in movements.into_iter().enumerate() {
             let node = self.hierarchy.joints[joint].node;
             let fault = |property, channel| {
                 let place = self.place(index, channel, Some((property, node)));

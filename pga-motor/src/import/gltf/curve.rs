@@ -35,6 +35,8 @@ pub(super) struct Spline<const N: usize> {
 pub(super) struct Movement {
     pub(super) translation: Option<(usize, Curve<3>)>,
     pub(super) rotation: Option<(usize, Curve<4>)>,
+    /// How far an animated scale gets from the one at rest, relative to it.
+    pub(super) scale: Option<(usize, f64)>,
 }
 
 impl<const N: usize> Curve<N> {

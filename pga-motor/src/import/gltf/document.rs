@@ -15,7 +15,10 @@ pub(super) struct Document<'a> {
 }
 
 /// What is of no concern here, and may be as it likes: none of it is read into types, which would refuse what they do not know.
-const UNREAD: [&str; 7] = ["cameras", "extensions", "images", "materials", "meshes", "samplers", "textures"];
+const UNREAD: [&str; 8] = ["cameras", "images", "materials", "meshes", "samplers", "scene", "scenes", "textures"];
+
+/// What programs add to anything in the file, of any form.
+const ADDED: [&str; 2] = ["extensions", "extras"];
 
 /// The members that hold indices, or lists of them, and the constants of formats.
 const INDICES: [&str; 12] = [
@@ -41,6 +44,9 @@ impl<'a> Document<'a> {
     pub(super) fn parse(bytes: &'a [u8]) -> Result<Self, GltfReason> {
         let (json, blob) = if bytes.starts_with(b"glTF") { split_chunks(bytes)? } else { (bytes, None) };
         let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
+        // Some programs pad the chunk so, instead of with spaces.
+        let end = json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
+        let json = &json[..end];
         let fault = |error: ::gltf::json::Error| GltfReason::Json { message: quote_message(&error.to_string()) };
         let mut value: Value = deserialize::from_slice(json).map_err(fault)?;
         check_version(&value)?;
@@ -111,6 +117,7 @@ fn check_version(value: &Value) -> Result<(), GltfReason> {
 /// Removes what is not read, and gives channels without a node one, with a path that is none: the types insist on a node, but
 /// extensions do without.
 fn prune(value: &mut Value) {
+    strip(value);
     let Value::Object(members) = value else { return };
     UNREAD.iter().for_each(|&name| drop(members.remove(name)));
     let animations = members.get_mut("animations").and_then(Value::as_array_mut).into_iter().flatten();
@@ -120,6 +127,18 @@ fn prune(value: &mut Value) {
             target.insert("node".to_string(), Value::from(0));
             target.insert("path".to_string(), Value::from(""));
         }
+    }
+}
+
+/// Removes what programs have added, at all levels. The reader of the JSON bounds how deep it nests.
+fn strip(value: &mut Value) {
+    match value {
+        Value::Array(items) => items.iter_mut().for_each(strip),
+        Value::Object(members) => {
+            ADDED.iter().for_each(|&name| drop(members.remove(name)));
+            members.values_mut().for_each(strip);
+        }
+        _ => {}
     }
 }
 

@@ -142,6 +142,12 @@ pub enum GltfReason {
         /// The scale there, or, where that is right, the furthest that the tangents beside it may lead.
         found: [f64; 3],
     },
+    /// Scales that are animated by less than 1e-4 of the node's own add up, or have so long a lever, that without them joints would be
+    /// off by more than 1e-4 of the skeleton's size. The channel is the one that counts most.
+    ScaleDrift {
+        /// How far joints would be off at most, relative to the skeleton's size.
+        off: f64,
+    },
     /// A key's time is not after that of the key before.
     TimeNotIncreasing {
         /// The later key.
@@ -260,6 +266,12 @@ impl fmt::Display for GltfReason {
             Self::AnimatedScale { key, expected, found } => {
                 let (expected, found) = (*expected as f32, Factors(found));
                 write!(f, "key {key}: expected the scale of the node at rest, {expected}, found {found}")
+            }
+            Self::ScaleDrift { off } => {
+                write!(
+                    f,
+                    "expected animated scales that move joints by at most 1e-4 of the skeleton's size, found {off:.1e}"
+                )
             }
             Self::TimeNotIncreasing { key } => {
                 write!(f, "key {key}: expected a time after that of key {}, found one that is not", key - 1)

@@ -29,22 +29,22 @@ impl Similarity {
     /// The transform of a node; of one with a matrix, the matrix, whatever stands beside it.
     pub(super) fn of_node(node: &Node) -> Result<Self, GltfReason> {
         if let Some(matrix) = node.matrix {
-            return Self::of_matrix(matrix.map(f64::from), "entry of the matrix");
+            return Self::of_matrix(matrix.map(f64::from), "entry of the matrix", TOLERANCE);
         }
         let translation = node.translation.unwrap_or_default().map(f64::from);
         let translation = finite(translation, "translation")?.into();
-        let scale = uniform(node.scale.unwrap_or([1.0; 3]).map(f64::from))?;
+        let scale = uniform(node.scale.unwrap_or([1.0; 3]).map(f64::from), TOLERANCE)?;
         let quaternion = node.rotation.unwrap_or_default().0.map(f64::from);
         let (rotation, off_unit) = rotor(finite(quaternion, "rotation")?, None)?;
         Ok(Self { translation, rotation, scale, off_unit })
     }
 
     /// The motion and scale of a 4 x 4 matrix, entries column by column.
-    pub(super) fn of_matrix(entries: [f64; 16], what: &str) -> Result<Self, GltfReason> {
+    pub(super) fn of_matrix(entries: [f64; 16], what: &str, tolerance: f64) -> Result<Self, GltfReason> {
         finite(entries, what)?;
         let column = |i: usize| Direction::new(entries[4 * i], entries[4 * i + 1], entries[4 * i + 2]);
         let last_row = [3, 7, 11, 15].map(|i| entries[i]);
-        if last_row.iter().zip([0.0, 0.0, 0.0, 1.0]).any(|(found, expected)| (found - expected).abs() > TOLERANCE) {
+        if last_row.iter().zip([0.0, 0.0, 0.0, 1.0]).any(|(found, expected)| (found - expected).abs() > tolerance) {
             return Err(GltfReason::NotAffine);
         }
         let axes = [0, 1, 2].map(column);
@@ -55,9 +55,9 @@ impl Similarity {
         if x.cross(y).dot(z) < 0.0 {
             return Err(GltfReason::Mirrored);
         }
-        let scale = uniform(lengths)?;
+        let scale = uniform(lengths, tolerance)?;
         let cosine = [x.dot(y), y.dot(z), z.dot(x)].into_iter().fold(0.0, |worst: f64, c| worst.max(c.abs()));
-        if cosine > TOLERANCE {
+        if cosine > tolerance {
             return Err(GltfReason::Sheared { cosine });
         }
         // The axes are nearly perpendicular; what is missing is taken from y, and z is what remains.
@@ -113,10 +113,10 @@ fn positive(scale: [f64; 3]) -> Result<[f64; 3], GltfReason> {
 }
 
 /// The one factor that three factors are, to the tolerance.
-fn uniform(scale: [f64; 3]) -> Result<f64, GltfReason> {
+fn uniform(scale: [f64; 3], tolerance: f64) -> Result<f64, GltfReason> {
     let [x, y, z] = positive(scale)?;
     let (least, greatest) = (x.min(y).min(z), x.max(y).max(z));
-    if greatest - least > TOLERANCE * greatest {
+    if greatest - least > tolerance * greatest {
         return Err(GltfReason::NotUniform { scale });
     }
     Ok(x / 3.0 + y / 3.0 + z / 3.0)

@@ -12,7 +12,7 @@ use super::document::values;
 use super::error::{GltfError, GltfReason};
 use super::hierarchy::Hierarchy;
 use super::place::{Named, Place, full_name};
-use super::similarity::{Similarity, TOLERANCE, cast, rigid};
+use super::similarity::{Similarity, cast, rigid};
 use crate::skeleton::Skeleton;
 use crate::{Motor, Real};
 
@@ -31,6 +31,10 @@ pub struct Skin<T> {
     /// By this the mesh's vertices are to be multiplied first. Positive.
     pub scale: T,
 }
+
+/// How far, relatively, inverse bind matrices may be from rigid and their scales from each other. They are products of long chains, turned
+/// round and often rounded, and what they move is a mesh, not the joints.
+const TOLERANCE: f64 = 1e-3;
 
 /// Reads the skins.
 ///
@@ -74,7 +78,7 @@ fn read_skin<T: Real>(
             // Where there are none, they count as identities.
             None => (Motor::IDENTITY, of_joint),
             Some(matrices) => {
-                let inverse = Similarity::of_matrix(matrices.get(matrix), "entry").map_err(fault)?;
+                let inverse = Similarity::of_matrix(matrices.get(matrix), "entry", TOLERANCE).map_err(fault)?;
                 (rigid(inverse.rotation, inverse.translation * of_joint), inverse.scale * of_joint)
             }
         };

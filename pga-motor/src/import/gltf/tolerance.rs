@@ -9,6 +9,9 @@ use super::hierarchy::Hierarchy;
 /// rest of it is left to rounding in single precision.
 const POSITION: f64 = 8e-5;
 
+/// How far from its place a joint may be for scales that are left out, relative to the skeleton's size.
+const SCALE: f64 = 1e-4;
+
 /// How far from a joint, beside other joints, something hangs on it, relative to the skeleton's size: its part of the mesh.
 const FLESH: f64 = 0.1;
 
@@ -22,6 +25,9 @@ const FLESH: f64 = 0.1;
 pub(super) struct Tolerances {
     translations: Vec<f64>,
     rotations: Vec<f64>,
+    /// For each joint, how far from it at most anything below is, relative to the skeleton's size.
+    reach: Vec<f64>,
+    parents: Vec<Option<usize>>,
 }
 
 impl Tolerances {
@@ -51,7 +57,25 @@ impl Tolerances {
         Self {
             translations: (0..joints.len()).map(|joint| share(joint) / joints[joint].scale_above).collect(),
             rotations: (0..joints.len()).map(|joint| share(joint) / (reach[joint] + FLESH * size)).collect(),
+            reach: reach.iter().map(|reach| reach / size).collect(),
+            parents: joints.iter().map(|joint| joint.parent).collect(),
         }
+    }
+
+    /// Whether scales that were left out move joints too far in all: the joint and channel that count most, and how far at most
+    /// joints are off, relative to the skeleton's size. A joint's scale, off by a part of itself, moves what is below by that part
+    /// of the distance; all joints above one add up.
+    pub(super) fn scale_too_far(&self, movements: &[Movement]) -> Option<(usize, usize, f64)> {
+        let own = |joint: usize| movements[joint].scale.map_or(0.0, |(_, worst)| worst * self.reach[joint]);
+        let mut sums: Vec<f64> = Vec::with_capacity(movements.len());
+        for joint in 0..movements.len() {
+            let above = self.parents[joint].map_or(0.0, |parent| sums[parent]);
+            sums.push(above + own(joint));
+        }
+        let off = sums.into_iter().fold(0.0, f64::max);
+        let joint = (0..movements.len()).max_by(|&a, &b| own(a).total_cmp(&own(b)))?;
+        let (channel, _) = movements[joint].scale?;
+        (off > SCALE).then_some((joint, channel, off))
     }
 
     /// How far a joint's translation may be off, in the unit of its channel.

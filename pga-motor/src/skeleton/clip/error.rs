@@ -20,6 +20,13 @@ pub enum ClipError {
         /// How many motors there are.
         found: usize,
     },
+    /// A file makes more motors of a clip than are allowed for its size.
+    TooManyKeys {
+        /// How many are allowed.
+        limit: usize,
+        /// How many there would be: the number of keys multiplied by the number of joints.
+        found: usize,
+    },
     /// There is not one pair of modes for each joint.
     ModeCount {
         /// How many joints there are.
@@ -89,6 +96,7 @@ impl fmt::Display for ClipError {
             Self::KeyCount { expected, found } => {
                 write!(f, "expected {expected} motors, one for each joint in each key, found {found}")
             }
+            Self::TooManyKeys { limit, found } => write!(f, "expected at most {limit} motors in a clip, found {found}"),
             Self::ModeCount { expected, found } => {
                 write!(f, "expected {expected} pairs of modes, one for each joint, found {found}")
             }

@@ -100,6 +100,17 @@ fn what_is_not_read_may_be_broken_and_extensions_may_be_required() {
            "extensions": { "KHR_xmp": 3 }, "extensionsRequired": ["KHR_draco_mesh_compression"], "scene": 99, "nodes""#,
     );
     assert_eq!(parse::<f64>(text.as_bytes()), Ok(leg().read()));
+    // What programs add may have any form and hold any numbers, and a second scene may be empty.
+    let added = leg().text().replace(
+        r#""nodes""#,
+        r#""extras": ["x", { "buffer": 1700000000000 }], "scenes": [{ "nodes": [0] }, { "name": "empty" }], "nodes""#,
+    );
+    let added = added.replacen(
+        r#""name""#,
+        r#""extras": null, "extensions": { "EXT_x": { "node": 1099511627776 } }, "name""#,
+        1,
+    );
+    assert_eq!(parse::<f64>(added.as_bytes()), Ok(leg().read()));
     let encoded = text.replace("KHR_draco_mesh_compression", "EXT_meshopt_compression");
     let expected =
         "file: expected buffers as they are, found them in the form of the extension `EXT_meshopt_compression`";

@@ -214,6 +214,25 @@ fn broken_channels_are_named() {
     assert_eq!(twice, format!("animation 0 `kick`, channel 1 (rotation of node 0 `hip`): {expected}"));
 }
 
+/// Each is within 1e-4 of the node's own; together, or on a long lever, they are not within 1e-4 of the skeleton's size.
+#[test]
+fn scales_that_add_up_are_named() {
+    let far = nodes("", "").channel((0, "scale"), "LINEAR", &[0.0, 1.0], &[[1.0; 3], [1.00009; 3]]);
+    assert_eq!(far.read().warnings().len(), 1);
+    let mut chain = Builder::default();
+    for joint in 0..19 {
+        chain = chain.node(&format!(r#""children": [{}], "translation": [1, 0, 0]"#, joint + 1));
+    }
+    chain = chain.node(r#""translation": [1, 0, 0]"#);
+    for joint in 0..20 {
+        chain = chain.channel((joint, "scale"), "LINEAR", &[0.0, 1.0], &[[1.0; 3], [1.00009; 3]]);
+    }
+    // Joint i is 19 - i from the last of 20, which are 19 in all: 9e-5 * (19 + 18 + ... + 1) / 19.
+    let expected = "animation 0 `kick`, channel 0 (scale of node 0 `node_0`): expected animated scales that move joints by at most \
+                    1e-4 of the skeleton's size, found 9.0e-4";
+    assert_eq!(chain.error(), expected);
+}
+
 #[test]
 fn animated_scale_is_named() {
     let scale = |mode: &str, values: &[[f32; 3]]| {
