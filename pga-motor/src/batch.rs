@@ -21,6 +21,7 @@ mod instructions;
 mod lanes;
 mod lines;
 mod motors;
+mod screws;
 mod work;
 
 pub use blocks::{Blocks, Iter, LANES};

@@ -1,7 +1,8 @@
 //! Batches of motors.
 
 use super::Blocks;
-use super::work::{map, map_quickly, zip, zip_quickly};
+use super::screws::short_way;
+use super::work::{map, map_quickly, zip};
 use crate::scalar::{Precision, precision};
 use crate::{Direction, LengthMismatch, Line, Motor, Plane, Point, Real, Scalar, interpolate, kernels};
 
@@ -66,70 +67,6 @@ impl<T: Real> Blocks<Motor<T>> {
             zip(self, others, motors, |a, b| path.between(a, b))
         } else {
             zip(self, others, motors, |a: Motor<T>, b: Motor<T>| a.nlerp(b, t))
-        }
-    }
-}
-
-/// The turn from one motor to another, the short way.
-#[inline(always)]
-fn turn<T: Real>(a: Motor<T>, b: Motor<T>) -> Motor<T> {
-    short_way(a.reverse() * b)
-}
-
-/// [`Motor::short_way`] without a branch.
-#[inline(always)]
-fn short_way<T: Real>(motor: Motor<T>) -> Motor<T> {
-    let sign = if motor.s < T::ZERO { -T::ONE } else { T::ONE };
-    Motor::from(motor.to_array().map(|coefficient| coefficient * sign))
-}
-
-/// A motor after part of a motion that is generated so, by polynomials.
-#[inline(always)]
-fn along<T: Real>(from: Motor<T>, generator: Line<T>, part: T, exp: impl Fn(Line<T>) -> Motor<T>) -> Motor<T> {
-    from * exp(generator * part)
-}
-
-/// Screws between motors.
-impl<T: Real> Blocks<Motor<T>> {
-    /// Writes the motors on the screw from each of these to the one at the same index of `others`: [`Motor::screw_lerp`], up to the
-    /// last digits.
-    ///
-    /// For t from 0 to 1 by the polynomials of [`Motor::log_slice`] and [`Line::exp_slice`]; what these do not hold for, and other
-    /// t, is done one by one.
-    ///
-    /// # Errors
-    /// Lists of different lengths; then nothing is written.
-    pub fn screw_lerp_into(&self, others: &Self, t: T, motors: &mut Self) -> Result<(), LengthMismatch> {
-        let exact = |a: Motor<T>, b: Motor<T>| a.screw_lerp(b, t);
-        let is_between = t >= T::ZERO && t <= T::ONE;
-        // From the nearer end, so that both ends are exact.
-        let is_first_half = t <= T::from_ratio(1, 2);
-        let single = |a, b| {
-            let log = kernels::motor_log_f32(turn(a, b));
-            if is_first_half {
-                along(a, log, t, kernels::line_exp_f32)
-            } else {
-                along(b, log, t - T::ONE, kernels::line_exp_f32)
-            }
-        };
-        let double = |a, b| {
-            let log = kernels::motor_log_f64(turn(a, b));
-            if is_first_half {
-                along(a, log, t, kernels::line_exp_f64)
-            } else {
-                along(b, log, t - T::ONE, kernels::line_exp_f64)
-            }
-        };
-        match precision::<T>() {
-            Precision::Single if is_between => {
-                let holds = |a, b| kernels::motor_log_f32_holds(turn(a, b));
-                zip_quickly(self, others, motors, single, holds, exact)
-            }
-            Precision::Double if is_between => {
-                let holds = |a, b| kernels::motor_log_f64_holds(turn(a, b));
-                zip_quickly(self, others, motors, double, holds, exact)
-            }
-            _ => zip(self, others, motors, exact),
         }
     }
 }

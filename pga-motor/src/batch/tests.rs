@@ -92,7 +92,7 @@ fn agrees_with_single_items<T: Real + core::fmt::Debug>() {
         found[0]
     };
     assert_same(Line::ZERO, |n, out| motor(3).transform_line_blocks(&list(n, line::<T>), out), slice);
-    let plane = |i: usize| Plane::from(point::<T>(i).dual());
+    let plane = |i: usize| point::<T>(i).dual();
     let slice = |i: usize| {
         let mut found = [Plane::ZERO];
         motor::<T>(3).transform_planes(&[plane(i)], &mut found).unwrap();
@@ -173,6 +173,16 @@ fn lanes_outside_a_polynomials_range_take_the_accurate_way() {
     let mut found = Blocks::filled(Motor::IDENTITY, 20);
     lines.exp_into(&mut found).unwrap();
     assert!(found.iter().enumerate().all(|(i, motor)| motor.is_finite() == (i != 7)));
+}
+
+#[test]
+fn motors_off_unit_are_joined_by_the_accurate_way() {
+    let off = |i: usize| if i == 3 { Motor { s: 1.5, ..motor::<f64>(i) } } else { motor(i) };
+    let broken = |i: usize| if i == 9 { Motor { e02: f64::NAN, ..motor(2 * i) } } else { motor(2 * i) };
+    let mut found = Blocks::filled(Motor::IDENTITY, 20);
+    list(20, off).screw_lerp_into(&list(20, broken), 0.3, &mut found).unwrap();
+    assert_eq!(found.get(3), Some(off(3).screw_lerp(broken(3), 0.3)));
+    assert!(found.iter().enumerate().all(|(i, motor)| motor.is_finite() == (i != 9)));
 }
 
 #[test]

@@ -77,44 +77,6 @@ impl<A: Lanewise, R: Lanewise, F: Fn(A) -> R, H: Fn(A) -> bool, E: Fn(A) -> R> W
     }
 }
 
-/// [`MapQuickly`] of pairs.
-struct ZipQuickly<'a, A: Lanewise, B: Lanewise, R: Lanewise, F, H, E> {
-    items: &'a [Block<A>],
-    others: &'a [Block<B>],
-    results: &'a mut [Block<R>],
-    quick: F,
-    holds: H,
-    exact: E,
-}
-
-impl<A, B, R, F, H, E> Work for ZipQuickly<'_, A, B, R, F, H, E>
-where
-    A: Lanewise,
-    B: Lanewise,
-    R: Lanewise,
-    F: Fn(A, B) -> R,
-    H: Fn(A, B) -> bool,
-    E: Fn(A, B) -> R,
-{
-    #[inline(always)]
-    fn run(self) {
-        for ((items, others), results) in self.items.iter().zip(self.others).zip(self.results) {
-            let mut failures = [0_u32; LANES];
-            for (lane, failure) in failures.iter_mut().enumerate() {
-                let (item, other) = (A::get(&items.0, lane), B::get(&others.0, lane));
-                (self.quick)(item, other).put(&mut results.0, lane);
-                *failure = u32::from(!(self.holds)(item, other));
-            }
-            if failures.iter().fold(0, |any, failure| any | failure) != 0 {
-                for (lane, _) in failures.iter().enumerate().filter(|(_, failure)| **failure != 0) {
-                    let (item, other) = (A::get(&items.0, lane), B::get(&others.0, lane));
-                    (self.exact)(item, other).put(&mut results.0, lane);
-                }
-            }
-        }
-    }
-}
-
 /// Writes the image of each item into the place with the same index; nothing where the lengths differ.
 #[inline]
 pub(super) fn map<A: Lanewise, R: Lanewise>(
@@ -155,23 +117,6 @@ pub(super) fn map_quickly<A: Lanewise, R: Lanewise>(
     Ok(())
 }
 
-/// [`zip`] by `quick` where that `holds`, else by `exact`.
-#[inline]
-pub(super) fn zip_quickly<A: Lanewise, B: Lanewise, R: Lanewise>(
-    items: &Blocks<A>,
-    others: &Blocks<B>,
-    results: &mut Blocks<R>,
-    quick: impl Fn(A, B) -> R,
-    holds: impl Fn(A, B) -> bool,
-    exact: impl Fn(A, B) -> R,
-) -> Result<(), LengthMismatch> {
-    check_lengths(items.len(), others.len())?;
-    check_lengths(items.len(), results.len())?;
-    let (items, others, results) = (&items.blocks, &others.blocks, &mut results.blocks);
-    dispatch(ZipQuickly { items, others, results, quick, holds, exact });
-    Ok(())
-}
-
-fn check_lengths(items: usize, results: usize) -> Result<(), LengthMismatch> {
+pub(super) fn check_lengths(items: usize, results: usize) -> Result<(), LengthMismatch> {
     if items == results { Ok(()) } else { Err(LengthMismatch { items, results }) }
 }
