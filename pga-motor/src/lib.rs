@@ -48,6 +48,7 @@ extern crate alloc;
 
 mod algebra;
 mod alignment;
+pub mod batch;
 mod even;
 pub mod game;
 pub mod gf3;

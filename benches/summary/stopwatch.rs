@@ -1,0 +1,81 @@
+//! Times of contenders that take turns.
+
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+
+/// How long a contender runs at a time: long beside the clock's step, short beside the machine's moods.
+const TURN: Duration = Duration::from_micros(500);
+const ROUNDS: usize = 200;
+
+/// Something to be timed, called again and again.
+pub(crate) type Contender<'a> = (&'static str, Box<dyn FnMut() + 'a>);
+
+/// A workload's times in nanoseconds per item; ours is the first.
+pub(crate) struct Row {
+    workload: &'static str,
+    names: Vec<&'static str>,
+    /// For each contender its time in each round.
+    times: Vec<Vec<f64>>,
+}
+
+/// The middle of some numbers, and the range of their middle half.
+fn quartiles(mut numbers: Vec<f64>) -> [f64; 3] {
+    numbers.sort_by(f64::total_cmp);
+    [1, 2, 3].map(|quarter| numbers[(numbers.len() - 1) * quarter / 4])
+}
+
+impl Row {
+    /// Times the contenders of a workload of so many items.
+    pub(crate) fn measure(workload: &'static str, items: usize, mut contenders: Vec<Contender<'_>>) -> Self {
+        let calls: Vec<u32> = contenders.iter_mut().map(|(_, run)| calls_in_a_turn(run)).collect();
+        let mut times = vec![Vec::with_capacity(ROUNDS); contenders.len()];
+        for _ in 0..ROUNDS {
+            for (((_, run), &calls), times) in contenders.iter_mut().zip(&calls).zip(&mut times) {
+                let start = Instant::now();
+                (0..calls).for_each(|_| run());
+                times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(calls) / items as f64);
+            }
+        }
+        eprintln!("measured: {workload}");
+        Self { workload, names: contenders.iter().map(|(name, _)| *name).collect(), times }
+    }
+
+    /// How many times as long as ours a contender takes, in each round.
+    fn ratios(&self, contender: usize) -> [f64; 3] {
+        quartiles(self.times[contender].iter().zip(&self.times[0]).map(|(theirs, ours)| theirs / ours).collect())
+    }
+
+    pub(crate) fn print(&self) {
+        let [_, ours, _] = quartiles(self.times[0].clone());
+        for (contender, name) in self.names.iter().enumerate().skip(1) {
+            let [_, theirs, _] = quartiles(self.times[contender].clone());
+            let [low, median, high] = self.ratios(contender);
+            let workload = if contender == 1 { format!("{}: {}", self.workload, self.names[0]) } else { String::new() };
+            println!(
+                "| {workload} | {ours:.2} ns | {name} | {theirs:.2} ns | **{median:.2}** ({low:.2} to {high:.2}) |"
+            );
+        }
+    }
+
+    pub(crate) fn json(&self) -> Value {
+        let contenders = self.names.iter().enumerate().map(|(contender, name)| {
+            let [_, time, _] = quartiles(self.times[contender].clone());
+            json!({ "name": name, "nanoseconds": time, "ratio": self.ratios(contender) })
+        });
+        json!({ "workload": self.workload, "contenders": contenders.collect::<Vec<_>>() })
+    }
+}
+
+/// How many calls fill a turn.
+fn calls_in_a_turn(run: &mut dyn FnMut()) -> u32 {
+    let mut calls = 1;
+    loop {
+        let start = Instant::now();
+        (0..calls).for_each(|_| run());
+        if start.elapsed() >= TURN || calls > 1 << 24 {
+            return calls;
+        }
+        calls *= 2;
+    }
+}

@@ -1,0 +1,34 @@
+//! Many at once: operations on blocks of motors, points, lines and planes, in vector registers as wide as the machine has.
+//!
+//! [`Blocks`] keeps [`LANES`] items together coefficient by coefficient, which is the layout that vector instructions want; an array
+//! of structs costs three times as much. The kernels are the ones that single items use. Which instructions they are compiled to is
+//! chosen once per call, at run time: see [`InstructionSet`]. All of them give the same results, bit for bit.
+//!
+//! ```
+//! use pga_motor::batch::Blocks;
+//! use pga_motor::f32::{Motor, Point, Rotor};
+//!
+//! let motors: Blocks<Motor> = (0..100).map(|i| Rotor::about_z(i as f32).into()).collect();
+//! let points: Blocks<Point> = (0..100).map(|i| Point::new(i as f32, 0.0, 0.0)).collect();
+//! let mut moved = points.clone();
+//! motors.transform_points_into(&points, &mut moved)?;
+//! assert_eq!(moved.get(7), Some(motors.get(7).unwrap().transform_point(Point::new(7.0, 0.0, 0.0))));
+//! # Ok::<(), pga_motor::LengthMismatch>(())
+//! ```
+
+mod blocks;
+mod instructions;
+mod lanes;
+mod lines;
+mod motors;
+mod screws;
+mod work;
+
+pub use blocks::{Blocks, Iter, LANES};
+pub use instructions::InstructionSet;
+#[cfg(feature = "std")]
+pub use instructions::with_instruction_set;
+pub use lanes::Lanewise;
+
+#[cfg(test)]
+mod tests;

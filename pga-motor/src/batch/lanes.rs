@@ -1,0 +1,52 @@
+//! Items taken apart into coefficients, many items side by side.
+
+use crate::{Direction, EvenMultivector, Line, Motor, Plane, Point, Rotor, Scalar, Translator, UnitLine, UnitPlane};
+
+/// What can stand in [`Blocks`](super::Blocks): the types of this crate that are made of coefficients.
+pub trait Lanewise: Copy + sealed::Sealed {
+    /// For each coefficient its values of `W` items.
+    type Lanes<const W: usize>: Copy;
+
+    /// The same item in all lanes.
+    fn splat<const W: usize>(self) -> Self::Lanes<W>;
+    /// The item in a lane, which is below `W`.
+    fn get<const W: usize>(lanes: &Self::Lanes<W>, lane: usize) -> Self;
+    /// Puts the item into a lane, which is below `W`.
+    fn put<const W: usize>(self, lanes: &mut Self::Lanes<W>, lane: usize);
+}
+
+mod sealed {
+    /// The kernels know all types that there are.
+    pub trait Sealed {}
+}
+
+macro_rules! lanewise {
+    ($($name:ident $count:literal)*) => { $(
+        impl<T: Scalar> sealed::Sealed for $name<T> {}
+
+        impl<T: Scalar> Lanewise for $name<T> {
+            type Lanes<const W: usize> = [[T; W]; $count];
+
+            #[inline(always)]
+            fn splat<const W: usize>(self) -> Self::Lanes<W> {
+                self.to_array().map(|coefficient| [coefficient; W])
+            }
+
+            #[inline(always)]
+            fn get<const W: usize>(lanes: &Self::Lanes<W>, lane: usize) -> Self {
+                Self::from(core::array::from_fn::<T, $count, _>(|coefficient| lanes[coefficient][lane]))
+            }
+
+            #[inline(always)]
+            fn put<const W: usize>(self, lanes: &mut Self::Lanes<W>, lane: usize) {
+                for (coefficient, value) in self.to_array().into_iter().enumerate() {
+                    lanes[coefficient][lane] = value;
+                }
+            }
+        }
+    )* };
+}
+
+lanewise! {
+    Motor 8 EvenMultivector 8 Rotor 4 Translator 3 Line 6 UnitLine 6 Plane 4 UnitPlane 4 Point 3 Direction 3
+}
