@@ -4,7 +4,7 @@
 //! has no skin, all its nodes. [`Gltf::joints`] and [`Skin::joints`] tell which of the skeleton's joints are those of the skins.
 //!
 //! **Numbers** mean what the format says: lengths in metres, angles in radians, seconds, right-handed, y up. Model motors lead to
-//! the file's space, in which its roots stand.
+//! the file's space, in which its roots stand. Accessors may be sparse; one without a buffer view is zeros.
 //!
 //! **Scale.** A motor is rigid. A scale that is the same along all axes and at all times is folded into the translations below it,
 //! so that joints are where the file has them. With s the scales of the nodes above a joint multiplied, and t and R the joint's own
@@ -45,6 +45,7 @@
 //! # Ok::<(), gltf::GltfError>(())
 //! ```
 
+mod allowance;
 mod buffers;
 mod channel;
 mod clip;
@@ -55,6 +56,7 @@ mod hierarchy;
 mod place;
 mod similarity;
 mod skin;
+mod sparse;
 mod spline;
 mod tolerance;
 mod uri;
@@ -66,7 +68,7 @@ use std::fs;
 use std::io::Read;
 use std::path::Path;
 
-pub use clip::MAX_JOINT_KEYS;
+pub use allowance::MAX_JOINT_KEYS;
 pub use error::{GltfError, GltfReason};
 pub use place::{Named, Place, Property};
 pub use skin::Skin;
@@ -164,12 +166,13 @@ pub fn read<T: Real>(path: impl AsRef<Path>) -> Result<Gltf<T>, GltfError> {
 ///
 /// # Errors
 /// [`GltfError`], with the place and the reason: for a container or JSON that is damaged, and for versions other than 2; for
-/// buffers that are too short, accessors that leave them, are sparse or hold something else than they should, and indices that
-/// lead nowhere; for nodes that have two parents or form a cycle; for scales that are animated, differ along the axes by more than 1e-4
-/// of them, are zero or mirror, and for matrices that shear, of joints and of inverse bind matrices; for skins whose joints scale the
-/// mesh differently; for numbers that are not finite; for quaternions of length zero; for key times that do not increase, values
-/// that are not as many as the keys, and several channels for one property of a joint; for more joints than
-/// [`Skeleton::MAX_JOINTS`] and more keys than [`MAX_JOINT_KEYS`]. What is not part of the skeleton may be as it likes.
+/// buffers that are too short, accessors that leave them or hold something else than they should, sparse accessors whose indices
+/// do not increase or are not below their count, and indices that lead nowhere; for nodes that have two parents or form a cycle;
+/// for scales that are animated, differ along the axes by more than 1e-4 of them, are zero or mirror, and for matrices that shear,
+/// of joints and of inverse bind matrices; for skins whose joints scale the mesh differently; for numbers that are not finite; for
+/// quaternions of length zero; for key times that do not increase, values that are not as many as the keys, and several channels
+/// for one property of a joint; for more joints than [`Skeleton::MAX_JOINTS`] and more keys than [`MAX_JOINT_KEYS`]. What is not
+/// part of the skeleton may be as it likes.
 pub fn parse<T: Real>(bytes: &[u8]) -> Result<Gltf<T>, GltfError> {
     parse_all(bytes, &mut no_files)
 }

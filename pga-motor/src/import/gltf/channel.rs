@@ -46,7 +46,8 @@ pub(super) fn count_values(buffers: &mut Buffers<'_>, sampler: &Sampler) -> Resu
 /// The times of the keys: finite, and increasing.
 fn read_times(buffers: &mut Buffers<'_>, sampler: &Sampler) -> Result<Vec<f32>, GltfReason> {
     let elements = buffers.elements::<1>(sampler.input.value(), Type::Scalar, Content::Float)?;
-    let mut times: Vec<f32> = Vec::with_capacity(elements.len());
+    // A place only for those that are read: zeros without a view may be any number, but do not increase.
+    let mut times: Vec<f32> = Vec::new();
     for key in 0..elements.len() {
         let [time] = finite(elements.get(key), &format!("time of key {key}"))?;
         // It was single precision in the file.

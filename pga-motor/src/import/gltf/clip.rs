@@ -7,6 +7,7 @@ use alloc::vec::Vec;
 use ::gltf::json::Root;
 use ::gltf::json::animation::{Animation, Sampler};
 
+use super::allowance::{Allowance, MAX_JOINT_KEYS, MAX_VALUES};
 use super::buffers::Buffers;
 use super::channel;
 use super::curve::{Keys, Movement};
@@ -20,10 +21,6 @@ use super::tolerance::Tolerances;
 use super::warning::Warning;
 use crate::skeleton::{Clip, ClipError, JointModes, KeyMode};
 use crate::{Motor, Real, Rotor};
-
-/// How many keys of joints all clips of a file together may have: a key of a clip counts once for each joint. Of values the channels
-/// of the file may have three times as many, tangents included.
-pub const MAX_JOINT_KEYS: usize = 1 << 23;
 
 /// Reads animations.
 pub(super) struct Reader<'a, 'b> {
@@ -42,7 +39,7 @@ impl<'a, 'b> Reader<'a, 'b> {
         buffers: &'a mut Buffers<'b>,
         warnings: &'a mut Vec<Warning>,
     ) -> Self {
-        let values = Allowance::new(3 * MAX_JOINT_KEYS, "values of channels in all animations together");
+        let values = Allowance::new(MAX_VALUES, "values of channels in all animations together");
         let joint_keys = Allowance::new(MAX_JOINT_KEYS, "keys of joints in all clips together");
         Self { root, hierarchy, buffers, warnings, values, joint_keys }
     }
@@ -209,26 +206,6 @@ impl<'a, 'b> Reader<'a, 'b> {
         let times = times.into_iter().map(|time| T::from_f64(time.into())).collect();
         let clip = Clip::new(joints.len(), times, keys).and_then(|clip| clip.with_modes(modes));
         clip.map(|clip| clip.with_name(name)).map_err(|error: ClipError| self.fault(index, GltfReason::Clip(error)))
-    }
-}
-
-/// How many keys may still be read.
-struct Allowance {
-    left: usize,
-    limit: usize,
-    what: &'static str,
-}
-
-impl Allowance {
-    fn new(limit: usize, what: &'static str) -> Self {
-        Self { left: limit, limit, what }
-    }
-
-    /// Takes a number of keys from those that are left.
-    fn spend(&mut self, keys: usize) -> Result<(), GltfReason> {
-        let (limit, what) = (self.limit, self.what);
-        self.left = self.left.checked_sub(keys).ok_or(GltfReason::TooManyKeys { limit, what })?;
-        Ok(())
     }
 }
 

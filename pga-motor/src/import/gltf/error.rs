@@ -158,7 +158,7 @@ pub enum GltfReason {
         /// Which one.
         first: usize,
     },
-    /// The keys of all clips together are too many.
+    /// The keys of all clips together, or the values in the file, are too many.
     TooManyKeys {
         /// How many there may be.
         limit: usize,

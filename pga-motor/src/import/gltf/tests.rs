@@ -5,3 +5,4 @@ mod clips;
 mod files;
 mod refused;
 mod skeletons;
+mod sparse;

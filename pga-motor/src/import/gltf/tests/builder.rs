@@ -78,14 +78,24 @@ impl Builder {
         self.accessor(shape, 5126, rows.len(), "", &bytes)
     }
 
-    fn accessor(&mut self, shape: &str, component: u32, count: usize, more: &str, bytes: &[u8]) -> usize {
-        let view = self.views.len();
+    /// Adds a view that no accessor refers to.
+    pub(super) fn view(mut self, bytes: &[u8]) -> Self {
+        self.push_view(bytes);
+        self
+    }
+
+    fn push_view(&mut self, bytes: &[u8]) -> usize {
         let (offset, length) = (self.bytes.len(), bytes.len());
         self.views.push(format!(r#"{{ "buffer": 0, "byteOffset": {offset}, "byteLength": {length} }}"#));
+        self.bytes.extend_from_slice(bytes);
+        self.views.len() - 1
+    }
+
+    fn accessor(&mut self, shape: &str, component: u32, count: usize, more: &str, bytes: &[u8]) -> usize {
+        let view = self.push_view(bytes);
         self.accessors.push(format!(
             r#"{{ "bufferView": {view}, "componentType": {component}, "count": {count}, "type": "{shape}"{more} }}"#
         ));
-        self.bytes.extend_from_slice(bytes);
         view
     }
 
