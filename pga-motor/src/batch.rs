@@ -26,9 +26,11 @@ mod work;
 
 pub use blocks::{Blocks, Iter, LANES};
 pub use instructions::InstructionSet;
+pub(crate) use instructions::dispatch;
 #[cfg(feature = "std")]
 pub use instructions::with_instruction_set;
 pub use lanes::Lanewise;
+pub(crate) use work::Work;
 
 #[cfg(test)]
 mod tests;

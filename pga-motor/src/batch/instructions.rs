@@ -83,7 +83,7 @@ pub fn with_instruction_set<R>(set: InstructionSet, work: impl FnOnce() -> R) ->
 /// Does work compiled for the instructions in use.
 #[inline]
 #[cfg_attr(all(feature = "std", target_arch = "x86_64"), expect(unsafe_code, reason = "each call is behind its check"))]
-pub(super) fn dispatch<W: Work>(work: W) {
+pub(crate) fn dispatch<W: Work>(work: W) {
     match InstructionSet::in_use() {
         // SAFETY: what is in use is available, so the machine has every instruction that the function was compiled for.
         #[cfg(all(feature = "std", target_arch = "x86_64"))]

@@ -119,6 +119,25 @@ fn lists_agree_with_single_items_on_every_length_and_instruction_set() {
     agrees_with_single_items::<f64>();
 }
 
+#[test]
+fn slices_are_moved_alike_with_every_instruction_set() {
+    for len in LENGTHS {
+        let points: Vec<Point<f32>> = (0..len).map(point).collect();
+        let expected: Vec<_> = {
+            let matrix = motor::<f32>(3).to_matrix();
+            points.iter().map(|&point| matrix.transform_point(point)).collect()
+        };
+        with_each(|| {
+            let mut found = vec![Point::ORIGIN; len];
+            motor::<f32>(3).transform_points(&points, &mut found).unwrap();
+            assert_eq!(found, expected);
+            let mut found = points.clone();
+            motor::<f32>(3).transform_points_in_place(&mut found);
+            assert_eq!(found, expected);
+        });
+    }
+}
+
 /// Polynomials stay within 1.45 attainable errors of the functions; a logarithm, a multiple, an exponential and two products of motors
 /// with translations up to 40 make some twenty roundings of numbers of that size.
 fn screws_agree_with_single_ones<T: Real>() {

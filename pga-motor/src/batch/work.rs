@@ -9,7 +9,7 @@ use super::instructions::dispatch;
 use crate::LengthMismatch;
 
 /// Something to be done.
-pub(super) trait Work {
+pub(crate) trait Work {
     /// Does it. Always inlined.
     fn run(self);
 }
