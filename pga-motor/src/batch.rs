@@ -17,20 +17,17 @@
 //! ```
 
 mod blocks;
-mod instructions;
 mod lanes;
 mod lines;
 mod motors;
 mod screws;
 mod work;
 
-pub use blocks::{Blocks, Iter, LANES};
-pub use instructions::InstructionSet;
-pub(crate) use instructions::dispatch;
+pub use crate::instructions::InstructionSet;
 #[cfg(feature = "std")]
-pub use instructions::with_instruction_set;
+pub use crate::instructions::with_instruction_set;
+pub use blocks::{Blocks, Iter, LANES};
 pub use lanes::Lanewise;
-pub(crate) use work::Work;
 
 #[cfg(test)]
 mod tests;

@@ -53,6 +53,7 @@ mod even;
 pub mod game;
 pub mod gf3;
 pub mod import;
+mod instructions;
 #[cfg(feature = "glam")]
 pub mod interop;
 mod interpolate;

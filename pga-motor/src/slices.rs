@@ -3,7 +3,7 @@
 
 use core::fmt;
 
-use crate::batch::{Work, dispatch};
+use crate::instructions::{Work, dispatch};
 
 /// Two slices that should be of the same length are not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +40,7 @@ impl<X: Copy, Y, F: Fn(X) -> Y> Work for Map<'_, X, Y, F> {
 /// Writes the image of each item into the place with the same index; nothing where the lengths differ.
 #[inline]
 pub(crate) fn map<X: Copy, Y>(items: &[X], results: &mut [Y], map: impl Fn(X) -> Y) -> Result<(), LengthMismatch> {
-    check_lengths(items, results)?;
+    check_lengths(items.len(), results.len())?;
     dispatch(Map { items, results, map });
     Ok(())
 }
@@ -61,7 +61,7 @@ pub(crate) fn map_quickly<X: Copy, Y>(
     holds: impl Fn(X) -> bool,
     exact: impl Fn(X) -> Y,
 ) -> Result<(), LengthMismatch> {
-    check_lengths(items, results)?;
+    check_lengths(items.len(), results.len())?;
     for (items, results) in items.chunks(BLOCK).zip(results.chunks_mut(BLOCK)) {
         for (result, item) in results.iter_mut().zip(items) {
             *result = quick(*item);
@@ -76,8 +76,7 @@ pub(crate) fn map_quickly<X: Copy, Y>(
     Ok(())
 }
 
-fn check_lengths<X, Y>(items: &[X], results: &[Y]) -> Result<(), LengthMismatch> {
-    let (items, results) = (items.len(), results.len());
+pub(crate) fn check_lengths(items: usize, results: usize) -> Result<(), LengthMismatch> {
     if items == results { Ok(()) } else { Err(LengthMismatch { items, results }) }
 }
 

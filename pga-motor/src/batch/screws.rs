@@ -2,10 +2,11 @@
 
 use super::Blocks;
 use super::blocks::{Block, LANES};
-use super::instructions::dispatch;
 use super::lanes::Lanewise;
-use super::work::{Work, check_lengths, zip};
+use super::work::zip;
+use crate::instructions::{Work, dispatch};
 use crate::scalar::{Precision, precision};
+use crate::slices::check_lengths;
 use crate::{LengthMismatch, Line, Motor, Real, kernels};
 
 /// Screws between motors.

@@ -5,14 +5,9 @@
 
 use super::Lanewise;
 use super::blocks::{Block, Blocks, LANES};
-use super::instructions::dispatch;
 use crate::LengthMismatch;
-
-/// Something to be done.
-pub(crate) trait Work {
-    /// Does it. Always inlined.
-    fn run(self);
-}
+use crate::instructions::{Work, dispatch};
+use crate::slices::check_lengths;
 
 struct Map<'a, A: Lanewise, R: Lanewise, F> {
     items: &'a [Block<A>],
@@ -115,8 +110,4 @@ pub(super) fn map_quickly<A: Lanewise, R: Lanewise>(
     check_lengths(items.len(), results.len())?;
     dispatch(MapQuickly { items: &items.blocks, results: &mut results.blocks, quick, holds, exact });
     Ok(())
-}
-
-pub(super) fn check_lengths(items: usize, results: usize) -> Result<(), LengthMismatch> {
-    if items == results { Ok(()) } else { Err(LengthMismatch { items, results }) }
 }

@@ -1,6 +1,10 @@
-//! Which instructions a batch is worked out with: the one place that calls functions compiled for more than every machine has.
+//! Which instructions slices and batches are worked out with: the one place that calls functions compiled for more than every machine has.
 
-use super::work::Work;
+/// Something to be done.
+pub(crate) trait Work {
+    /// Does it. Always inlined, so that it is compiled for the instructions of its caller.
+    fn run(self);
+}
 
 /// The instructions that a batch may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
