@@ -222,6 +222,10 @@ fn many_to_many() -> Row {
     let mut ours = ours_p.clone();
     let (affines, vectors) = (list(|i| affine(motors[i])), vectors());
     let mut results = vectors.clone();
+    ours_m.transform_points_into(&ours_p, &mut ours).expect("one length");
+    for (i, ours) in ours.iter().enumerate() {
+        assert_near(ours, affines[i].transform_point3(vectors[i]).to_array(), "glam's points of many");
+    }
     Row::measure(
         "1024 motors, 1024 points",
         COUNT,
@@ -333,6 +337,11 @@ fn screw_lerp() -> Row {
     let mut results = part_a.clone();
     let (dual_a, dual_b) = (list(|i| dual_quaternion(a[i])), list(|i| dual_quaternion(b[i])));
     let mut duals = dual_a.clone();
+    ours_a.screw_lerp_into(&ours_b, 0.3, &mut ours).expect("one length");
+    for (i, ours) in ours.iter().enumerate() {
+        let theirs = dual_a[i].sclerp(&dual_b[i], 0.3).to_isometry() * Point3::new(1.0, 2.0, -1.0);
+        assert_near(ours.transform_point(Point::new(1.0, 2.0, -1.0)), theirs.coords.into(), "nalgebra's screw");
+    }
     Row::measure(
         "screw_lerp",
         COUNT,
@@ -379,6 +388,17 @@ fn kinematics(joints: usize) -> Row {
                 model[joint] = parents[joint].map_or(local, |parent| model[parent] * local);
             }
         })
+    }
+    local_to_model(&skeleton, &pose, &mut model).expect("one length");
+    down(&parents, &affines, &mut affine_model)();
+    down(&parents, &mats, &mut mat_model)();
+    for ((ours, theirs), by_matrix) in model.iter().zip(&affine_model).zip(&mat_model) {
+        // Both have gathered the rounding of chains of hundreds of joints.
+        let (ours, size) = (ours.transform_origin(), 1.0 + ours.translator().vector().norm());
+        for theirs in [Vec3::from(theirs.translation), by_matrix.w_axis.truncate()] {
+            let distance = ours.distance_to_point(Point::from(theirs.to_array()));
+            assert!(distance < joints as f32 * TOLERANCE * size, "contenders disagree in kinematics by {distance}");
+        }
     }
     let contenders: Vec<Contender<'_>> = vec![
         (
