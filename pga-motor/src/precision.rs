@@ -1,4 +1,4 @@
-//! The types with their scalar filled in, for each precision.
+//! The types with their scalar filled in, for each precision; and tests.
 
 macro_rules! aliases {
     ($float:ident: $($name:ident)*) => {
@@ -18,3 +18,20 @@ macro_rules! aliases {
 }
 
 pub(crate) use aliases;
+
+/// Tests that are the same in both precisions: names of tests, and the generic functions that they are.
+#[cfg(test)]
+macro_rules! in_both_precisions {
+    ($($name:ident: $generic:ident;)*) => {
+        $(
+            #[test]
+            fn $name() {
+                $generic::<f32>();
+                $generic::<f64>();
+            }
+        )*
+    };
+}
+
+#[cfg(test)]
+pub(crate) use in_both_precisions;

@@ -7,6 +7,7 @@
 //! as much more.
 
 use super::*;
+use crate::precision::in_both_precisions;
 use crate::{Direction, Point};
 use alloc::vec::Vec;
 use core::fmt::{Debug, Display};
@@ -79,18 +80,6 @@ fn interpolations<T: Real>() -> [(&'static str, Interpolation<T>); 5] {
 
 fn half<T: Real>() -> T {
     T::from_ratio(1, 2)
-}
-
-macro_rules! in_both_precisions {
-    ($($name:ident: $generic:ident;)*) => {
-        $(
-            #[test]
-            fn $name() {
-                $generic::<f32>();
-                $generic::<f64>();
-            }
-        )*
-    };
 }
 
 in_both_precisions! {

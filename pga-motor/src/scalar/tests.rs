@@ -1,18 +1,7 @@
 //! Exact values, and laws that hold without rounding.
 
 use super::*;
-
-macro_rules! in_both_precisions {
-    ($($name:ident: $generic:ident;)*) => {
-        $(
-            #[test]
-            fn $name() {
-                $generic::<f32>();
-                $generic::<f64>();
-            }
-        )*
-    };
-}
+use crate::precision::in_both_precisions;
 
 in_both_precisions! {
     numbers_are_what_they_are_called: constants;

@@ -7,6 +7,7 @@
 
 use super::*;
 use crate::pga2d::{Direction, Point};
+use crate::precision::in_both_precisions;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 use core::fmt::{Debug, Display};
@@ -72,18 +73,6 @@ fn interpolations<T: Float>() -> [(&'static str, Interpolation<T>); 5] {
 /// Beside half a turn the way there and the way back may differ.
 fn is_tie<T: Float>(motor: Motor<T>) -> bool {
     motor.s.abs() <= T::EPSILON * T::from_ratio(8, 1)
-}
-
-macro_rules! in_both_precisions {
-    ($($name:ident: $generic:ident;)*) => {
-        $(
-            #[test]
-            fn $name() {
-                $generic::<f32>();
-                $generic::<f64>();
-            }
-        )*
-    };
 }
 
 in_both_precisions! {
