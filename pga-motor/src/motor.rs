@@ -397,9 +397,11 @@ impl<T: Real> Motor<T> {
     }
 
     /// m or -m, whichever has a scalar part that is not negative: the motion by at most half a turn.
-    #[inline]
-    fn short_way(self) -> Self {
-        if self.s < T::ZERO { -self } else { self }
+    #[inline(always)]
+    pub(crate) fn short_way(self) -> Self {
+        // Without a branch, for loops over many.
+        let sign = if self.s < T::ZERO { -T::ONE } else { T::ONE };
+        Self::from(self.to_array().map(|coefficient| coefficient * sign))
     }
 
     /// Where the scalar part is negative, the axis along which the bivector part runs; `Some(None)` where it is not, and

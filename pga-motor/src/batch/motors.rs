@@ -1,7 +1,6 @@
 //! Batches of motors.
 
 use super::Blocks;
-use super::screws::short_way;
 use super::work::{map, map_quickly, zip};
 use crate::scalar::{Precision, precision};
 use crate::{Direction, LengthMismatch, Line, Motor, Plane, Point, Real, Scalar, interpolate, kernels};
@@ -42,15 +41,15 @@ impl<T: Real> Blocks<Motor<T>> {
             Precision::Single => map_quickly(
                 self,
                 lines,
-                |motor: Motor<T>| kernels::motor_log_f32(short_way(motor)),
-                |motor: Motor<T>| kernels::motor_log_f32_holds(short_way(motor)),
+                |motor: Motor<T>| kernels::motor_log_f32(motor.short_way()),
+                |motor: Motor<T>| kernels::motor_log_f32_holds(motor.short_way()),
                 Motor::log,
             ),
             Precision::Double => map_quickly(
                 self,
                 lines,
-                |motor: Motor<T>| kernels::motor_log_f64(short_way(motor)),
-                |motor: Motor<T>| kernels::motor_log_f64_holds(short_way(motor)),
+                |motor: Motor<T>| kernels::motor_log_f64(motor.short_way()),
+                |motor: Motor<T>| kernels::motor_log_f64_holds(motor.short_way()),
                 Motor::log,
             ),
             Precision::Finer => map(self, lines, Motor::log),

@@ -69,7 +69,7 @@ where
             let from = if starts_at_a { a } else { b };
             let mut steps = *a;
             for lane in 0..LANES {
-                short_way(Motor::get(&a.0, lane).reverse() * Motor::get(&b.0, lane)).put(&mut steps.0, lane);
+                (Motor::get(&a.0, lane).reverse() * Motor::get(&b.0, lane)).short_way().put(&mut steps.0, lane);
             }
             let mut failures = [0_u32; LANES];
             for (lane, failure) in failures.iter_mut().enumerate() {
@@ -93,11 +93,4 @@ where
             }
         }
     }
-}
-
-/// m or -m, whichever has a scalar part that is not negative, without a branch.
-#[inline(always)]
-pub(super) fn short_way<T: Real>(motor: Motor<T>) -> Motor<T> {
-    let sign = if motor.s < T::ZERO { -T::ONE } else { T::ONE };
-    Motor::from(motor.to_array().map(|coefficient| coefficient * sign))
 }
