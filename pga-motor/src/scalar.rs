@@ -16,6 +16,17 @@ pub trait Scalar:
     const ONE: Self;
     /// The number `numerator / denominator`, as exact as the type can hold it; `denominator` is not 0.
     fn from_ratio(numerator: i32, denominator: i32) -> Self;
+    /// `self * factor + term`, as quick as can be: `f32` and `f64` round twice, [`Fused`] once.
+    #[inline]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+    /// `self * factor + term` rounded once, where the type can do that: `f32` and `f64` with the feature `std`. A call of a function
+    /// of the C library, and slow, in code that is not compiled for machines with an instruction for it.
+    #[inline]
+    fn fused_mul_add(self, factor: Self, term: Self) -> Self {
+        self.mul_add(factor, term)
+    }
 }
 
 /// Real numbers, in floating point or better.
@@ -105,6 +116,11 @@ macro_rules! implement_scalar {
             fn from_ratio(numerator: i32, denominator: i32) -> Self {
                 (f64::from(numerator) / f64::from(denominator)) as Self
             }
+            #[cfg(feature = "std")]
+            #[inline(always)]
+            fn fused_mul_add(self, factor: Self, term: Self) -> Self {
+                $float::mul_add(self, factor, term)
+            }
         }
     };
 }
@@ -175,6 +191,10 @@ mod implementations {
     implement_real!(f32, sqrtf, sincosf, atan2f);
     implement_real!(f64, sqrt, sincos, atan2);
 }
+
+mod fused;
+
+pub use fused::Fused;
 
 #[cfg(test)]
 mod tests;

@@ -23,12 +23,22 @@ pub(super) struct Body {
     pub(super) outputs: Vec<TokenStream>,
 }
 
+/// How sums of products are written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Style {
+    /// As sums and products.
+    Plain,
+    /// By `mul_add` wherever [`Count::fma`](crate::program::Count::fma) takes the two for one instruction.
+    MulAdd,
+}
+
 struct Writer<'a> {
     program: &'a Program,
     inputs: &'a [TokenStream],
     constants: BTreeMap<Rational, TokenStream>,
     reserved: &'a [&'a str],
     meanings: &'a BTreeMap<Value, String>,
+    style: Style,
     uses: Vec<usize>,
     doubled: Vec<bool>,
     names: BTreeMap<Value, Ident>,
@@ -45,6 +55,7 @@ pub(super) fn body(
     inputs: &[TokenStream],
     reserved: &[&str],
     meanings: &BTreeMap<Value, String>,
+    style: Style,
     span: Span,
 ) -> syn::Result<Body> {
     let mut uses = vec![0; program.operations.len()];
@@ -65,6 +76,7 @@ pub(super) fn body(
         constants,
         reserved,
         meanings,
+        style,
         uses,
         doubled,
         names,
@@ -104,6 +116,15 @@ fn number(number: Rational, span: Span) -> syn::Result<TokenStream> {
     let (numerator, denominator) = (part(magnitude.numerator())?, part(magnitude.denominator())?);
     let minus = number.is_negative().then(|| quote!(-));
     Ok(quote!(T::from_ratio(#minus #numerator, #denominator)))
+}
+
+/// Two factors.
+#[derive(Clone, Copy)]
+struct Product {
+    is_negative: bool,
+    first: Value,
+    /// 2 where there is none.
+    second: Option<Value>,
 }
 
 impl Writer<'_> {
@@ -207,6 +228,9 @@ impl Writer<'_> {
             return Binding::Atom;
         }
         match self.program.operations[value] {
+            Operation::Add(a, b) | Operation::Sub(a, b) if self.product(a).or(self.product(b)).is_some() => {
+                Binding::Atom
+            }
             Operation::Add(..) | Operation::Sub(..) | Operation::Double(_) => Binding::Sum,
             Operation::Mul(..) | Operation::Div(..) => Binding::Product,
             Operation::Neg(_) => Binding::Negation,
@@ -228,9 +252,64 @@ impl Writer<'_> {
         if self.binding(b) < right && self.binding(a) >= right { (b, a) } else { (a, b) }
     }
 
+    /// A product that can be taken into a sum: what has no name of its own, with or without a sign before it.
+    fn product(&self, value: Value) -> Option<Product> {
+        if self.style == Style::Plain || self.names.contains_key(&value) {
+            return None;
+        }
+        match self.program.operations[value] {
+            Operation::Mul(a, b) => {
+                let (first, second) = if self.binding(a) == Binding::Atom { (a, b) } else { (b, a) };
+                Some(Product { is_negative: false, first, second: Some(second) })
+            }
+            Operation::Double(a) => Some(Product { is_negative: false, first: a, second: None }),
+            Operation::Neg(a) => {
+                self.product(a).map(|product| Product { is_negative: !product.is_negative, ..product })
+            }
+            _ => None,
+        }
+    }
+
+    /// A product plus a value, or minus it.
+    fn mul_add(&self, product: Product, minus: bool, value: Value) -> TokenStream {
+        let Product { is_negative, first, second } = product;
+        let first = self.operand(first, Binding::Atom);
+        let first = if is_negative { quote!((-#first)) } else { quote!(#first) };
+        let second = match second {
+            Some(second) => self.expression(second),
+            None => quote!(T::from_ratio(2, 1)),
+        };
+        let term = if minus { self.operand(value, Binding::Atom) } else { self.expression(value) };
+        let minus = minus.then(|| quote!(-));
+        quote!(#first.mul_add(#second, #minus #term))
+    }
+
+    /// A sum or difference by `mul_add`, where one side is a product.
+    fn fused(&self, value: Value) -> Option<TokenStream> {
+        match self.program.operations[value] {
+            Operation::Add(a, b) => match (self.product(a), self.product(b)) {
+                (_, Some(product)) => Some(self.mul_add(product, false, a)),
+                (Some(product), None) => Some(self.mul_add(product, false, b)),
+                (None, None) => None,
+            },
+            Operation::Sub(a, b) => match (self.product(a), self.product(b)) {
+                (_, Some(product)) => {
+                    let product = Product { is_negative: !product.is_negative, ..product };
+                    Some(self.mul_add(product, false, a))
+                }
+                (Some(product), None) => Some(self.mul_add(product, true, b)),
+                (None, None) => None,
+            },
+            _ => None,
+        }
+    }
+
     fn expression(&self, value: Value) -> TokenStream {
         if let Some(name) = self.names.get(&value) {
             return quote!(#name);
+        }
+        if let Some(fused) = self.fused(value) {
+            return fused;
         }
         match self.program.operations[value] {
             Operation::Input(index) => self.inputs[index].clone(),

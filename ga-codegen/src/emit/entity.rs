@@ -1,6 +1,6 @@
 //! Structs from entities, with what follows from their components and relations alone.
 
-use super::body::body;
+use super::body::{Style, body};
 use super::{doc, ident};
 use crate::algebra::{Blade, Signature};
 use crate::factor::factor_polynomials;
@@ -358,7 +358,7 @@ fn relation_errors(entity: &Entity) -> syn::Result<TokenStream> {
     let relations: Vec<_> = entity.statements.iter().map(|s| s.relation.polynomial().clone()).collect();
     let program = check_evaluates(entity, &relations)?;
     let inputs: Vec<_> = fields(entity).iter().map(|field| quote!(self.#field)).collect();
-    let body = body(&program, &inputs, &["self"], &BTreeMap::new(), entity.span)?;
+    let body = body(&program, &inputs, &["self"], &BTreeMap::new(), Style::Plain, entity.span)?;
     let (statements, outputs, count) = (body.statements, body.outputs, Literal::usize_unsuffixed(relations.len()));
     let texts: Vec<_> = entity.statements.iter().map(|s| format!("`{}`", s.text)).collect();
     let text = format!(" Left minus right side of {}.", texts.join(", "));

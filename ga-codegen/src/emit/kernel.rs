@@ -1,11 +1,11 @@
 //! Functions from kernels.
 
-use super::body::{access, body};
+use super::body::{Style, access, body};
 use super::{doc, entity_type, ident, meaning, polynomial};
 use crate::approximation::approximation;
 use crate::compile::{Compiled, Part};
 use crate::kernel::{Definition, Hoist, Kernel};
-use crate::program::{Count, Operation, Program};
+use crate::program::{CostModel, Count, Operation, Program};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -33,7 +33,7 @@ pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Res
     let names = compiled.parameter_names(definition);
     let coefficients = &compiled.specification.coefficients;
     let inputs: Vec<_> = coefficients.iter().map(|c| access(names[c.parameter], &c.field)).collect();
-    let body = body(&compiled.program, &inputs, &names, &meaning::names(compiled), kernel.span)?;
+    let body = body(&compiled.program, &inputs, &names, &meaning::names(compiled), style(compiled), kernel.span)?;
     let parameters = parameters(definition, compiled);
     let (record, output_type, result) = output(definition, compiled, &body.outputs);
     let (docs, name) = (doc(&documentation(definition, compiled)), ident(&compiled.name));
@@ -50,6 +50,12 @@ pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Res
             #result
         }
     })
+}
+
+/// What is for loops over many items goes by `mul_add`: their numbers may fuse it. What is read and called singly is plain.
+fn style(compiled: &Compiled) -> Style {
+    let is_for_many = compiled.model == CostModel::Fma || compiled.precision.is_some() || compiled.part == Part::Apply;
+    if is_for_many { Style::MulAdd } else { Style::Plain }
 }
 
 /// The parameters of a function; an underscore before the names of those that are not used.

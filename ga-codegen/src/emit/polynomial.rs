@@ -1,6 +1,6 @@
 //! Functions for the polynomials that programs evaluate, and where those are near what they stand for.
 
-use super::body::{access, body};
+use super::body::{Style, access, body};
 use super::doc;
 use crate::approximation::{Function, Precision, approximation};
 use crate::compile::Compiled;
@@ -46,7 +46,7 @@ fn horner(function: Function, precision: Precision) -> TokenStream {
         #[inline]
         fn #name<T: Real>(x: T) -> T {
             let mut sum = #first;
-            #(sum = sum * x + #terms;)*
+            #(sum = sum.mul_add(x, #terms);)*
             sum
         }
     }
@@ -69,7 +69,7 @@ pub(super) fn range(
     let coefficients = &compiled.specification.coefficients;
     let inputs: Vec<_> = coefficients.iter().map(|c| access(names[c.parameter], &c.field)).collect();
     let program = restricted(&compiled.program, &intervals.keys().copied().collect::<Vec<_>>());
-    let body = body(&program, &inputs, &names, &BTreeMap::new(), kernel.span)?;
+    let body = body(&program, &inputs, &names, &BTreeMap::new(), Style::Plain, kernel.span)?;
     let tests = body.outputs.iter().zip(intervals.values()).map(|(argument, &(low, high))| {
         let (low, high) = (Literal::f64_unsuffixed(low), Literal::f64_unsuffixed(high));
         quote!((T::from_f64(#low)..=T::from_f64(#high)).contains(&(#argument)))

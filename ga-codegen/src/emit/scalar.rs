@@ -29,6 +29,10 @@ pub(super) fn module(definition: &Definition) -> TokenStream {
                 const ONE: Self;
                 /// The number `numerator / denominator`, as exact as the type can hold it.
                 fn from_ratio(numerator: i32, denominator: i32) -> Self;
+                /// `self * factor + term`; a type whose instructions fuse the two may round once.
+                fn mul_add(self, factor: Self, term: Self) -> Self {
+                    self * factor + term
+                }
             }
 
             /// Real numbers.
