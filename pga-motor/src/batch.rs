@@ -16,11 +16,13 @@
 //! # Ok::<(), pga_motor::LengthMismatch>(())
 //! ```
 
+mod between;
 mod blocks;
 mod lanes;
-mod lines;
-mod motors;
-mod screws;
+mod layout;
+pub(crate) mod lines;
+pub(crate) mod motors;
+
 mod work;
 
 pub use crate::instructions::InstructionSet;

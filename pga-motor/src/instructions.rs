@@ -4,6 +4,8 @@
 pub(crate) trait Work {
     /// Does it. Always inlined, so that it is compiled for the instructions of its caller.
     fn run(self);
+    /// The same where the caller has an instruction for a product fused with a sum.
+    fn run_fused(self);
 }
 
 /// The instructions that a batch may use.
@@ -12,7 +14,7 @@ pub(crate) trait Work {
 pub enum InstructionSet {
     /// Those that the crate was compiled for: SSE2 in a default build for x86-64.
     Portable,
-    /// AVX2, with registers for 8 `f32`.
+    /// AVX2 and FMA, with registers for 8 `f32`.
     Avx2,
     /// AVX-512, with registers for 16 `f32`.
     Avx512,
@@ -28,10 +30,10 @@ impl InstructionSet {
         match self {
             Self::Portable => true,
             #[cfg(all(feature = "std", target_arch = "x86_64"))]
-            Self::Avx2 => std::is_x86_feature_detected!("avx2"),
+            Self::Avx2 => std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma"),
             #[cfg(all(feature = "std", target_arch = "x86_64"))]
             Self::Avx512 => {
-                std::is_x86_feature_detected!("avx2")
+                Self::Avx2.is_available()
                     && std::is_x86_feature_detected!("avx512f")
                     && std::is_x86_feature_detected!("avx512vl")
                     && std::is_x86_feature_detected!("avx512dq")
@@ -100,13 +102,13 @@ pub(crate) fn dispatch<W: Work>(work: W) {
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
-#[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
+#[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq")]
 fn run_avx512<W: Work>(work: W) {
-    work.run();
+    work.run_fused();
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,fma")]
 fn run_avx2<W: Work>(work: W) {
-    work.run();
+    work.run_fused();
 }

@@ -282,31 +282,6 @@ pub fn interpolate_joint<T: Real>(rest: Motor<T>, animated: Motor<T>, weight: T)
     rest.screw_lerp(animated, weight)
 }
 
-/// [`Motor::nlerp`] for one t and many motors: what depends on t alone is decided beforehand, and nothing branches.
-#[derive(Clone, Copy)]
-pub(crate) struct Chord<T> {
-    t: T,
-    weights: Weights<T>,
-}
-
-impl<T: Real> Chord<T> {
-    pub(crate) fn at(t: T) -> Self {
-        Self { t, weights: weights::chord(t) }
-    }
-
-    /// Whether [`Self::between`] is right: t is between the ends.
-    pub(crate) fn is_between(self) -> bool {
-        weights::is_between(self.t)
-    }
-
-    /// The motor between two.
-    #[inline(always)]
-    pub(crate) fn between(self, a: Motor<T>, b: Motor<T>) -> Motor<T> {
-        let sign = if kernels::motor_scalar_product_motor(a, b) < T::ZERO { -T::ONE } else { T::ONE };
-        weights::mix(EvenMultivector::from(a), EvenMultivector::from(b) * sign, self.t, self.weights).over_norm()
-    }
-}
-
 /// The motor or its negative, the same motion, whichever is nearer to a.
 fn aligned<T: Real>(a: Motor<T>, motor: Motor<T>) -> Motor<T> {
     if kernels::motor_scalar_product_motor(a, motor) < T::ZERO { -motor } else { motor }

@@ -35,6 +35,12 @@ impl<X: Copy, Y, F: Fn(X) -> Y> Work for Map<'_, X, Y, F> {
             *result = (self.map)(*item);
         }
     }
+
+    /// Not fused: what bringing coefficients together costs leaves nothing to win.
+    #[inline(always)]
+    fn run_fused(self) {
+        self.run();
+    }
 }
 
 /// Writes the image of each item into the place with the same index; nothing where the lengths differ.
@@ -91,6 +97,11 @@ impl<X: Copy, F: Fn(X) -> X> Work for MapInPlace<'_, X, F> {
         for item in self.items {
             *item = (self.map)(*item);
         }
+    }
+
+    #[inline(always)]
+    fn run_fused(self) {
+        self.run();
     }
 }
 

@@ -33,18 +33,24 @@ pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Res
     let names = compiled.parameter_names(definition);
     let coefficients = &compiled.specification.coefficients;
     let inputs: Vec<_> = coefficients.iter().map(|c| access(names[c.parameter], &c.field)).collect();
-    let body = body(&compiled.program, &inputs, &names, &meaning::names(compiled), style(compiled), kernel.span)?;
+    let style = style(compiled);
+    let body = body(&compiled.program, &inputs, &names, &meaning::names(compiled), style, kernel.span)?;
     let parameters = parameters(definition, compiled);
     let (record, output_type, result) = output(definition, compiled, &body.outputs);
     let (docs, name) = (doc(&documentation(definition, compiled)), ident(&compiled.name));
     let bound = if needs_real(&compiled.program) { quote!(Real) } else { quote!(Scalar) };
     let statements = body.statements;
     let range = polynomial::range(definition, compiled, &parameters)?;
+    let inline = match style {
+        Style::Plain => quote!(#[inline]),
+        // Left by itself, the function would be compiled for machines without the instruction.
+        Style::MulAdd => quote!(#[inline(always)]),
+    };
     Ok(quote! {
         #range
         #record
         #docs
-        #[inline]
+        #inline
         pub fn #name<T: #bound>(#(#parameters),*) -> #output_type {
             #statements
             #result

@@ -43,7 +43,7 @@ fn horner(function: Function, precision: Precision) -> TokenStream {
     let name = name(function, precision);
     quote! {
         #docs
-        #[inline]
+        #[inline(always)]
         fn #name<T: Real>(x: T) -> T {
             let mut sum = #first;
             #(sum = sum.mul_add(x, #terms);)*

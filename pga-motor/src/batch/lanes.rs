@@ -1,9 +1,10 @@
 //! Items taken apart into coefficients, many items side by side.
 
+use crate::scalar::Fused;
 use crate::{Direction, EvenMultivector, Line, Motor, Plane, Point, Rotor, Scalar, Translator, UnitLine, UnitPlane};
 
 /// What can stand in [`Blocks`](super::Blocks): the types of this crate that are made of coefficients.
-pub trait Lanewise: Copy + sealed::Sealed {
+pub trait Lanewise: Copy + sealed::Fusible {
     /// For each coefficient its values of `W` items.
     type Lanes<const W: usize>: Copy;
 
@@ -15,14 +16,48 @@ pub trait Lanewise: Copy + sealed::Sealed {
     fn put<const W: usize>(self, lanes: &mut Self::Lanes<W>, lane: usize);
 }
 
-mod sealed {
-    /// The kernels know all types that there are.
-    pub trait Sealed {}
+/// The kernels know all types that there are.
+pub(super) mod sealed {
+    /// What batches turn items into where machines fuse products with sums.
+    pub trait Fusible {
+        /// The same of [`Fused`](crate::scalar::Fused) numbers.
+        type Fused: Copy;
+        /// The item of fused numbers.
+        fn fuse(self) -> Self::Fused;
+        /// The item of the numbers themselves.
+        fn unfuse(fused: Self::Fused) -> Self;
+    }
+
+    impl<A: Fusible, B: Fusible> Fusible for (A, B) {
+        type Fused = (A::Fused, B::Fused);
+
+        #[inline(always)]
+        fn fuse(self) -> Self::Fused {
+            (self.0.fuse(), self.1.fuse())
+        }
+
+        #[inline(always)]
+        fn unfuse(fused: Self::Fused) -> Self {
+            (A::unfuse(fused.0), B::unfuse(fused.1))
+        }
+    }
 }
 
 macro_rules! lanewise {
     ($($name:ident $count:literal)*) => { $(
-        impl<T: Scalar> sealed::Sealed for $name<T> {}
+        impl<T: Scalar> sealed::Fusible for $name<T> {
+            type Fused = $name<Fused<T>>;
+
+            #[inline(always)]
+            fn fuse(self) -> Self::Fused {
+                $name::from(self.to_array().map(Fused))
+            }
+
+            #[inline(always)]
+            fn unfuse(fused: Self::Fused) -> Self {
+                Self::from(fused.to_array().map(|Fused(coefficient)| coefficient))
+            }
+        }
 
         impl<T: Scalar> Lanewise for $name<T> {
             type Lanes<const W: usize> = [[T; W]; $count];

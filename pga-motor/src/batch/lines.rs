@@ -1,25 +1,38 @@
 //! Batches of lines.
 
 use super::Blocks;
-use super::work::{map, map_quickly};
-use crate::scalar::{Precision, precision};
+use super::layout::{Sink, Source};
+use super::work::{OnBlock, Quickly, map};
+use crate::scalar::{Fused, Precision, precision};
 use crate::{LengthMismatch, Line, Motor, Real, kernels};
 
 /// Functions of lines, one by one.
 impl<T: Real> Blocks<Line<T>> {
-    /// Writes the exponential of each line, as [`Line::exp_slice`] does, with the same results.
+    /// Writes the exponential of each line, as [`Line::exp_slice`] does.
     ///
     /// # Errors
     /// Lists of different lengths; then nothing is written.
     pub fn exp_into(&self, motors: &mut Blocks<Motor<T>>) -> Result<(), LengthMismatch> {
-        match precision::<T>() {
-            Precision::Single => {
-                map_quickly(self, motors, kernels::line_exp_f32, kernels::line_exp_f32_holds, Line::exp)
-            }
-            Precision::Double => {
-                map_quickly(self, motors, kernels::line_exp_f64, kernels::line_exp_f64_holds, Line::exp)
-            }
-            Precision::Finer => map(self, motors, Line::exp),
-        }
+        exp(self, motors)
     }
+}
+
+pub(crate) fn exp_slice<T: Real>(lines: &[Line<T>], motors: &mut [Motor<T>]) -> Result<(), LengthMismatch> {
+    exp(lines, motors)
+}
+
+fn exp<T: Real>(lines: impl Source<Item = Line<T>>, motors: impl Sink<Item = Motor<T>>) -> Result<(), LengthMismatch> {
+    match precision::<T>() {
+        Precision::Single => map(lines, motors, exp_f32::<T>(), exp_f32::<Fused<T>>()),
+        Precision::Double => map(lines, motors, exp_f64::<T>(), exp_f64::<Fused<T>>()),
+        Precision::Finer => map(lines, motors, Line::<T>::exp, Line::<Fused<T>>::exp),
+    }
+}
+
+fn exp_f32<S: Real>() -> impl OnBlock<Line<S>, Motor<S>> {
+    Quickly { quick: kernels::line_exp_f32, holds: kernels::line_exp_f32_holds, exact: Line::exp }
+}
+
+fn exp_f64<S: Real>() -> impl OnBlock<Line<S>, Motor<S>> {
+    Quickly { quick: kernels::line_exp_f64, holds: kernels::line_exp_f64_holds, exact: Line::exp }
 }

@@ -1,20 +1,19 @@
 //! Batches of motors.
 
 use super::Blocks;
-use super::work::{map, map_quickly, zip};
-use crate::scalar::{Precision, precision};
-use crate::{Direction, LengthMismatch, Line, Motor, Plane, Point, Real, Scalar, interpolate, kernels};
+use super::layout::{Sink, Source};
+use super::work::{OnBlock, Quickly, map, zip};
+use crate::scalar::{Fused, Precision, precision};
+use crate::{Direction, EvenMultivector, LengthMismatch, Line, Motor, Plane, Point, Real, Scalar, kernels};
 
-/// Motors, pair by pair, and on points.
-///
-/// In each of these nothing is written where the lengths differ, and results are those of single motors, bit for bit.
+/// Motors, pair by pair, and on points. Nothing is written where the lengths differ.
 impl<T: Scalar> Blocks<Motor<T>> {
     /// Writes the product of each motor with the one at the same index of `others`, which acts first.
     ///
     /// # Errors
     /// Lists of different lengths.
     pub fn mul_into(&self, others: &Self, products: &mut Self) -> Result<(), LengthMismatch> {
-        zip(self, others, products, kernels::motor_mul_motor)
+        zip(self, others, products, product, product)
     }
 
     /// Writes where each motor carries the point at the same index.
@@ -26,53 +25,65 @@ impl<T: Scalar> Blocks<Motor<T>> {
         points: &Blocks<Point<T>>,
         results: &mut Blocks<Point<T>>,
     ) -> Result<(), LengthMismatch> {
-        zip(self, points, results, kernels::motor_transform_point)
+        zip(self, points, results, transformed, transformed)
     }
 }
 
-/// Functions of motors, one by one.
+/// Functions of motors, one by one. Nothing is written where the lengths differ.
 impl<T: Real> Blocks<Motor<T>> {
-    /// Writes the logarithm of each motor, as [`Motor::log_slice`] does, with the same results.
+    /// Writes the logarithm of each motor, as [`Motor::log_slice`] does.
     ///
     /// # Errors
-    /// Lists of different lengths; then nothing is written.
+    /// Lists of different lengths.
     pub fn log_into(&self, lines: &mut Blocks<Line<T>>) -> Result<(), LengthMismatch> {
-        match precision::<T>() {
-            Precision::Single => map_quickly(
-                self,
-                lines,
-                |motor: Motor<T>| kernels::motor_log_f32(motor.short_way()),
-                |motor: Motor<T>| kernels::motor_log_f32_holds(motor.short_way()),
-                Motor::log,
-            ),
-            Precision::Double => map_quickly(
-                self,
-                lines,
-                |motor: Motor<T>| kernels::motor_log_f64(motor.short_way()),
-                |motor: Motor<T>| kernels::motor_log_f64_holds(motor.short_way()),
-                Motor::log,
-            ),
-            Precision::Finer => map(self, lines, Motor::log),
-        }
+        log(self, lines)
     }
 
-    /// Writes the motors between each of these and the one at the same index of `others`: [`Motor::nlerp`], with the same results.
+    /// Writes each motor without the rounding errors that it has gathered: [`Motor::renormalize`].
     ///
     /// # Errors
-    /// Lists of different lengths; then nothing is written.
-    pub fn nlerp_into(&self, others: &Self, t: T, motors: &mut Self) -> Result<(), LengthMismatch> {
-        let path = interpolate::Chord::at(t);
-        if path.is_between() {
-            zip(self, others, motors, |a, b| path.between(a, b))
-        } else {
-            zip(self, others, motors, |a: Motor<T>, b: Motor<T>| a.nlerp(b, t))
-        }
+    /// Lists of different lengths.
+    pub fn renormalize_into(&self, motors: &mut Self) -> Result<(), LengthMismatch> {
+        map(self, motors, renormalized, renormalized)
     }
 }
 
-/// One motion of many things, worked out once for all.
-///
-/// In each of these nothing is written where the lengths differ, and results are those of the functions of slices, bit for bit.
+/// Pairs and lists in arrays of structs. Nothing is written where the lengths differ. [`Blocks`](crate::batch::Blocks) do the same in a
+/// fraction of the time.
+impl<T: Scalar> Motor<T> {
+    /// Writes the product of each motor with the one at the same index of `others`, which acts first.
+    ///
+    /// # Errors
+    /// Slices of different lengths.
+    pub fn mul_slice(motors: &[Self], others: &[Self], products: &mut [Self]) -> Result<(), LengthMismatch> {
+        zip(motors, others, products, product, product)
+    }
+
+    /// Writes where each motor carries the point at the same index.
+    ///
+    /// # Errors
+    /// Slices of different lengths.
+    pub fn transform_points_slice(
+        motors: &[Self],
+        points: &[Point<T>],
+        results: &mut [Point<T>],
+    ) -> Result<(), LengthMismatch> {
+        zip(motors, points, results, transformed, transformed)
+    }
+}
+
+/// As above.
+impl<T: Real> Motor<T> {
+    /// Writes each motor without the rounding errors that it has gathered: [`Self::renormalize`].
+    ///
+    /// # Errors
+    /// Slices of different lengths.
+    pub fn renormalize_slice(motors: &[Self], results: &mut [Self]) -> Result<(), LengthMismatch> {
+        map(motors, results, renormalized, renormalized)
+    }
+}
+
+/// One motion of many things, worked out once for all. Nothing is written where the lengths differ.
 impl<T: Scalar> Motor<T> {
     /// Writes where the motion carries each point.
     ///
@@ -83,8 +94,7 @@ impl<T: Scalar> Motor<T> {
         points: &Blocks<Point<T>>,
         results: &mut Blocks<Point<T>>,
     ) -> Result<(), LengthMismatch> {
-        let matrix = kernels::motor_to_matrix(self);
-        map(points, results, |point| kernels::matrix_apply_point(matrix, point))
+        map(points, results, point_mover(self), point_mover(self.fused()))
     }
 
     /// Writes where the motion carries each direction.
@@ -96,8 +106,7 @@ impl<T: Scalar> Motor<T> {
         directions: &Blocks<Direction<T>>,
         results: &mut Blocks<Direction<T>>,
     ) -> Result<(), LengthMismatch> {
-        let matrix = kernels::motor_to_direction_matrix(self);
-        map(directions, results, |direction| kernels::matrix_apply_direction(matrix, direction))
+        map(directions, results, direction_mover(self), direction_mover(self.fused()))
     }
 
     /// Writes where the motion carries each line.
@@ -109,8 +118,7 @@ impl<T: Scalar> Motor<T> {
         lines: &Blocks<Line<T>>,
         results: &mut Blocks<Line<T>>,
     ) -> Result<(), LengthMismatch> {
-        let matrix = kernels::motor_to_line_matrix(self);
-        map(lines, results, |line| kernels::matrix_apply_line(matrix, line))
+        map(lines, results, line_mover(self), line_mover(self.fused()))
     }
 
     /// Writes where the motion carries each plane.
@@ -122,7 +130,77 @@ impl<T: Scalar> Motor<T> {
         planes: &Blocks<Plane<T>>,
         results: &mut Blocks<Plane<T>>,
     ) -> Result<(), LengthMismatch> {
-        let matrix = kernels::motor_to_plane_matrix(self);
-        map(planes, results, |plane| kernels::matrix_apply_plane(matrix, plane))
+        map(planes, results, plane_mover(self), plane_mover(self.fused()))
     }
+
+    fn fused(self) -> Motor<Fused<T>> {
+        Motor::from(self.to_array().map(Fused))
+    }
+}
+
+pub(crate) fn log_slice<T: Real>(motors: &[Motor<T>], lines: &mut [Line<T>]) -> Result<(), LengthMismatch> {
+    log(motors, lines)
+}
+
+fn log<T: Real>(motors: impl Source<Item = Motor<T>>, lines: impl Sink<Item = Line<T>>) -> Result<(), LengthMismatch> {
+    match precision::<T>() {
+        Precision::Single => map(motors, lines, log_f32::<T>(), log_f32::<Fused<T>>()),
+        Precision::Double => map(motors, lines, log_f64::<T>(), log_f64::<Fused<T>>()),
+        Precision::Finer => map(motors, lines, Motor::<T>::log, Motor::<Fused<T>>::log),
+    }
+}
+
+fn log_f32<S: Real>() -> impl OnBlock<Motor<S>, Line<S>> {
+    Quickly {
+        quick: |motor: Motor<S>| kernels::motor_log_f32(motor.short_way()),
+        holds: |motor: Motor<S>| kernels::motor_log_f32_holds(motor.short_way()),
+        exact: Motor::log,
+    }
+}
+
+fn log_f64<S: Real>() -> impl OnBlock<Motor<S>, Line<S>> {
+    Quickly {
+        quick: |motor: Motor<S>| kernels::motor_log_f64(motor.short_way()),
+        holds: |motor: Motor<S>| kernels::motor_log_f64_holds(motor.short_way()),
+        exact: Motor::log,
+    }
+}
+
+#[inline(always)]
+fn product<S: Scalar>((a, b): (Motor<S>, Motor<S>)) -> Motor<S> {
+    kernels::motor_mul_motor_fma(a, b)
+}
+
+#[inline(always)]
+fn transformed<S: Scalar>((motor, point): (Motor<S>, Point<S>)) -> Point<S> {
+    kernels::motor_transform_point_fma(motor, point)
+}
+
+#[inline(always)]
+fn renormalized<S: Real>(motor: Motor<S>) -> Motor<S> {
+    kernels::even_normalize_fma(EvenMultivector::from(motor))
+}
+
+fn point_mover<S: Scalar>(motor: Motor<S>) -> impl Fn(Point<S>) -> Point<S> {
+    let matrix = kernels::motor_to_matrix(motor);
+    #[inline(always)]
+    move |point| kernels::matrix_apply_point(matrix, point)
+}
+
+fn direction_mover<S: Scalar>(motor: Motor<S>) -> impl Fn(Direction<S>) -> Direction<S> {
+    let matrix = kernels::motor_to_direction_matrix(motor);
+    #[inline(always)]
+    move |direction| kernels::matrix_apply_direction(matrix, direction)
+}
+
+fn line_mover<S: Scalar>(motor: Motor<S>) -> impl Fn(Line<S>) -> Line<S> {
+    let matrix = kernels::motor_to_line_matrix(motor);
+    #[inline(always)]
+    move |line| kernels::matrix_apply_line(matrix, line)
+}
+
+fn plane_mover<S: Scalar>(motor: Motor<S>) -> impl Fn(Plane<S>) -> Plane<S> {
+    let matrix = kernels::motor_to_plane_matrix(motor);
+    #[inline(always)]
+    move |plane| kernels::matrix_apply_plane(matrix, plane)
 }

@@ -1,113 +1,120 @@
 //! Loops over lanes, generic over what is done in each.
 //!
 //! Everything here is inlined into the functions that [`dispatch`] chooses from, kernel included; so the compiler makes of each loop what
-//! these functions' instructions allow. There are no copies by hand.
+//! these functions' instructions allow. There are no copies by hand. What is done is given twice, for the numbers themselves and for
+//! those that fuse products with sums: one function, generic over its numbers, which the call of it tells apart.
 
 use super::Lanewise;
-use super::blocks::{Block, Blocks, LANES};
+use super::blocks::LANES;
+use super::lanes::sealed::Fusible;
+use super::layout::{Lanes, Places, Sink, Source};
 use crate::LengthMismatch;
 use crate::instructions::{Work, dispatch};
 use crate::slices::check_lengths;
 
-struct Map<'a, A: Lanewise, R: Lanewise, F> {
-    items: &'a [Block<A>],
-    results: &'a mut [Block<R>],
-    function: F,
+/// What is done with a block, lane by lane, in one loop or in several.
+pub(super) trait OnBlock<A, R> {
+    fn run(&self, item: impl Fn(usize) -> A, put: impl FnMut(usize, R));
 }
 
-impl<A: Lanewise, R: Lanewise, F: Fn(A) -> R> Work for Map<'_, A, R, F> {
+/// A function, short enough to be inlined and to stay in registers.
+impl<A, R, F: Fn(A) -> R> OnBlock<A, R> for F {
     #[inline(always)]
-    fn run(self) {
-        for (items, results) in self.items.iter().zip(self.results) {
-            for lane in 0..LANES {
-                (self.function)(A::get(&items.0, lane)).put(&mut results.0, lane);
-            }
-        }
-    }
-}
-
-struct Zip<'a, A: Lanewise, B: Lanewise, R: Lanewise, F> {
-    items: &'a [Block<A>],
-    others: &'a [Block<B>],
-    results: &'a mut [Block<R>],
-    function: F,
-}
-
-impl<A: Lanewise, B: Lanewise, R: Lanewise, F: Fn(A, B) -> R> Work for Zip<'_, A, B, R, F> {
-    #[inline(always)]
-    fn run(self) {
-        for ((items, others), results) in self.items.iter().zip(self.others).zip(self.results) {
-            for lane in 0..LANES {
-                (self.function)(A::get(&items.0, lane), B::get(&others.0, lane)).put(&mut results.0, lane);
-            }
+    fn run(&self, item: impl Fn(usize) -> A, mut put: impl FnMut(usize, R)) {
+        for lane in 0..LANES {
+            put(lane, self(item(lane)));
         }
     }
 }
 
 /// A function without branches that is right where `holds` says so, and another for the other lanes.
-struct MapQuickly<'a, A: Lanewise, R: Lanewise, F, H, E> {
-    items: &'a [Block<A>],
-    results: &'a mut [Block<R>],
-    quick: F,
-    holds: H,
-    exact: E,
+pub(super) struct Quickly<Q, H, E> {
+    pub(super) quick: Q,
+    pub(super) holds: H,
+    pub(super) exact: E,
 }
 
-impl<A: Lanewise, R: Lanewise, F: Fn(A) -> R, H: Fn(A) -> bool, E: Fn(A) -> R> Work for MapQuickly<'_, A, R, F, H, E> {
+impl<A: Copy, R, Q: Fn(A) -> R, H: Fn(A) -> bool, E: Fn(A) -> R> OnBlock<A, R> for Quickly<Q, H, E> {
     #[inline(always)]
-    fn run(self) {
-        for (items, results) in self.items.iter().zip(self.results) {
-            let mut failures = [0_u32; LANES];
-            for (lane, failure) in failures.iter_mut().enumerate() {
-                let item = A::get(&items.0, lane);
-                (self.quick)(item).put(&mut results.0, lane);
-                *failure = u32::from(!(self.holds)(item));
-            }
-            if failures.iter().fold(0, |any, failure| any | failure) != 0 {
-                for (lane, _) in failures.iter().enumerate().filter(|(_, failure)| **failure != 0) {
-                    (self.exact)(A::get(&items.0, lane)).put(&mut results.0, lane);
-                }
-            }
+    fn run(&self, item: impl Fn(usize) -> A, mut put: impl FnMut(usize, R)) {
+        let mut failures = [0_u32; LANES];
+        for (lane, failure) in failures.iter_mut().enumerate() {
+            let item = item(lane);
+            put(lane, (self.quick)(item));
+            *failure = u32::from(!(self.holds)(item));
+        }
+        for_failures(&failures, |lane| put(lane, (self.exact)(item(lane))));
+    }
+}
+
+/// Does something for each lane that failed; these are few, or none.
+#[inline(always)]
+pub(super) fn for_failures(failures: &[u32; LANES], mut repair: impl FnMut(usize)) {
+    if failures.iter().fold(0, |any, failure| any | failure) != 0 {
+        for (lane, _) in failures.iter().enumerate().filter(|(_, failure)| **failure != 0) {
+            repair(lane);
         }
     }
 }
 
-/// Writes the image of each item into the place with the same index; nothing where the lengths differ.
+struct Batch<S, D, P, F> {
+    source: S,
+    sink: D,
+    plain: P,
+    fused: F,
+}
+
+impl<S, D, P, F> Work for Batch<S, D, P, F>
+where
+    S: Source,
+    D: Sink,
+    P: OnBlock<S::Item, D::Item>,
+    F: OnBlock<<S::Item as Fusible>::Fused, <D::Item as Fusible>::Fused>,
+{
+    #[inline(always)]
+    fn run(self) {
+        // In registers, where no result can be taken for a part of it.
+        let function = self.plain;
+        for (items, mut places) in self.source.blocks().zip(self.sink.blocks()) {
+            let results = places.lanes();
+            function.run(|lane| items.get(lane), |lane, result| result.put(results, lane));
+            places.finish();
+        }
+    }
+
+    #[inline(always)]
+    fn run_fused(self) {
+        let function = self.fused;
+        for (items, mut places) in self.source.blocks().zip(self.sink.blocks()) {
+            let results = places.lanes();
+            function.run(|lane| items.get(lane).fuse(), |lane, result| D::Item::unfuse(result).put(results, lane));
+            places.finish();
+        }
+    }
+}
+
+/// Writes what becomes of each item into the place with the same index; nothing where the lengths differ.
 #[inline]
-pub(super) fn map<A: Lanewise, R: Lanewise>(
-    items: &Blocks<A>,
-    results: &mut Blocks<R>,
-    function: impl Fn(A) -> R,
+pub(super) fn map<S: Source, D: Sink>(
+    source: S,
+    sink: D,
+    plain: impl OnBlock<S::Item, D::Item>,
+    fused: impl OnBlock<<S::Item as Fusible>::Fused, <D::Item as Fusible>::Fused>,
 ) -> Result<(), LengthMismatch> {
-    check_lengths(items.len(), results.len())?;
-    dispatch(Map { items: &items.blocks, results: &mut results.blocks, function });
+    check_lengths(source.len(), sink.len())?;
+    dispatch(Batch { source, sink, plain, fused });
     Ok(())
 }
 
-/// Writes what becomes of each pair into the place with the same index; nothing where the lengths differ.
+/// [`map`] for the items of two lists, pair by pair.
 #[inline]
-pub(super) fn zip<A: Lanewise, B: Lanewise, R: Lanewise>(
-    items: &Blocks<A>,
-    others: &Blocks<B>,
-    results: &mut Blocks<R>,
-    function: impl Fn(A, B) -> R,
+pub(super) fn zip<A: Source, B: Source, D: Sink>(
+    items: A,
+    others: B,
+    sink: D,
+    plain: impl OnBlock<(A::Item, B::Item), D::Item>,
+    fused: impl OnBlock<(<A::Item as Fusible>::Fused, <B::Item as Fusible>::Fused), <D::Item as Fusible>::Fused>,
 ) -> Result<(), LengthMismatch> {
     check_lengths(items.len(), others.len())?;
-    check_lengths(items.len(), results.len())?;
-    dispatch(Zip { items: &items.blocks, others: &others.blocks, results: &mut results.blocks, function });
-    Ok(())
-}
-
-/// [`map`] by `quick` where that `holds`, else by `exact`.
-#[inline]
-pub(super) fn map_quickly<A: Lanewise, R: Lanewise>(
-    items: &Blocks<A>,
-    results: &mut Blocks<R>,
-    quick: impl Fn(A) -> R,
-    holds: impl Fn(A) -> bool,
-    exact: impl Fn(A) -> R,
-) -> Result<(), LengthMismatch> {
-    check_lengths(items.len(), results.len())?;
-    dispatch(MapQuickly { items: &items.blocks, results: &mut results.blocks, quick, holds, exact });
-    Ok(())
+    map((items, others), sink, plain, fused)
 }
