@@ -4,7 +4,7 @@ use super::Blocks;
 use super::blocks::LANES;
 use super::lanes::Lanewise;
 use super::layout::{Sink, Source};
-use super::work::{OnBlock, for_failures, zip};
+use super::work::{LaneCount, OnBlock, for_failures, zip};
 use crate::scalar::{Fused, Precision, precision};
 use crate::weights;
 use crate::{EvenMultivector, LengthMismatch, Line, Motor, Real, kernels};
@@ -183,27 +183,32 @@ struct Screws<S, P>(S, P);
 
 impl<S: Real, P: Polynomials> OnBlock<(Motor<S>, Motor<S>), Motor<S>> for Screws<S, P> {
     #[inline(always)]
-    fn run(&self, pair: impl Fn(usize) -> (Motor<S>, Motor<S>), mut put: impl FnMut(usize, Motor<S>)) {
+    fn run(
+        &self,
+        lanes: LaneCount,
+        pair: impl Fn(usize) -> (Motor<S>, Motor<S>),
+        mut put: impl FnMut(usize, Motor<S>),
+    ) {
         let Self(t, polynomials) = *self;
         let starts_at_a = t <= S::from_ratio(1, 2);
         let part = if starts_at_a { t } else { t - S::ONE };
         let mut steps = Motor::<S>::IDENTITY.splat::<LANES>();
-        for lane in 0..LANES {
+        for lane in 0..lanes.get() {
             let (a, b) = pair(lane);
             kernels::motor_mul_motor_fma(a.reverse(), b).short_way().put(&mut steps, lane);
         }
         let mut failures = [0_u32; LANES];
-        for (lane, failure) in failures.iter_mut().enumerate() {
-            *failure = u32::from(!polynomials.log_holds(Motor::<S>::get(&steps, lane)));
+        for lane in 0..lanes.get() {
+            failures[lane] = u32::from(!polynomials.log_holds(Motor::<S>::get(&steps, lane)));
         }
         let mut generators = Line::<S>::ZERO.splat::<LANES>();
-        for lane in 0..LANES {
+        for lane in 0..lanes.get() {
             (polynomials.log(Motor::<S>::get(&steps, lane)) * part).put(&mut generators, lane);
         }
-        for lane in 0..LANES {
+        for lane in 0..lanes.get() {
             polynomials.exp(Line::<S>::get(&generators, lane)).put(&mut steps, lane);
         }
-        for lane in 0..LANES {
+        for lane in 0..lanes.get() {
             let (a, b) = pair(lane);
             let from = if starts_at_a { a } else { b };
             put(lane, kernels::motor_mul_motor_fma(from, Motor::<S>::get(&steps, lane)));
@@ -220,14 +225,19 @@ struct Arcs<S, P>(S, P);
 
 impl<S: Real, P: Polynomials> OnBlock<(Motor<S>, Motor<S>), Motor<S>> for Arcs<S, P> {
     #[inline(always)]
-    fn run(&self, pair: impl Fn(usize) -> (Motor<S>, Motor<S>), mut put: impl FnMut(usize, Motor<S>)) {
+    fn run(
+        &self,
+        lanes: LaneCount,
+        pair: impl Fn(usize) -> (Motor<S>, Motor<S>),
+        mut put: impl FnMut(usize, Motor<S>),
+    ) {
         let Self(t, polynomials) = *self;
         let (half, starts_at_a) = (S::from_ratio(1, 2), t <= S::from_ratio(1, 2));
         let part = if starts_at_a { t } else { S::ONE - t };
         let mut signs = [S::ONE; LANES];
         let mut failures = [0_u32; LANES];
         let mut angles = [S::ZERO; LANES];
-        for lane in 0..LANES {
+        for lane in 0..lanes.get() {
             let (a, b) = pair(lane);
             let turn = Motor::from(a.rotor().reverse() * b.rotor());
             signs[lane] = sign_of(turn.s);
@@ -238,7 +248,7 @@ impl<S: Real, P: Polynomials> OnBlock<(Motor<S>, Motor<S>), Motor<S>> for Arcs<S
         // The weights as those of `weights::great_arc`.
         let mut near_weights = [S::ONE; LANES];
         let mut steps = [S::ONE; LANES];
-        for lane in 0..LANES {
+        for lane in 0..lanes.get() {
             let angle = angles[lane];
             let (part_sinc, _) = sinc_and_cosine(polynomials, part * angle);
             let (whole_sinc, _) = sinc_and_cosine(polynomials, angle);
@@ -247,7 +257,7 @@ impl<S: Real, P: Polynomials> OnBlock<(Motor<S>, Motor<S>), Motor<S>> for Arcs<S
             near_weights[lane] = part_cosine / half_cosine;
             steps[lane] = part * (part_sinc / whole_sinc);
         }
-        for lane in 0..LANES {
+        for lane in 0..lanes.get() {
             let (a, b) = pair(lane);
             let (a, b) = (a.to_array(), b.to_array());
             let sum = core::array::from_fn(|i| {

@@ -14,14 +14,32 @@ use crate::slices::check_lengths;
 
 /// What is done with a block, lane by lane, in one loop or in several.
 pub(super) trait OnBlock<A, R> {
-    fn run(&self, item: impl Fn(usize) -> A, put: impl FnMut(usize, R));
+    fn run(&self, lanes: LaneCount, item: impl Fn(usize) -> A, put: impl FnMut(usize, R));
+}
+
+/// [`LANES`], which the compiler does not know to be that many: it would write a short loop out, lane after lane, and then often find no
+/// vectors in it. A loop it makes vector code of.
+#[derive(Clone, Copy)]
+pub(super) struct LaneCount(usize);
+
+impl LaneCount {
+    #[inline(always)]
+    fn new() -> Self {
+        Self(core::hint::black_box(LANES))
+    }
+
+    /// Within a block, and in whole registers, as the compiler can see.
+    #[inline(always)]
+    pub(super) fn get(self) -> usize {
+        self.0.min(LANES) & !(LANES - 1)
+    }
 }
 
 /// A function, short enough to be inlined and to stay in registers.
 impl<A, R, F: Fn(A) -> R> OnBlock<A, R> for F {
     #[inline(always)]
-    fn run(&self, item: impl Fn(usize) -> A, mut put: impl FnMut(usize, R)) {
-        for lane in 0..LANES {
+    fn run(&self, lanes: LaneCount, item: impl Fn(usize) -> A, mut put: impl FnMut(usize, R)) {
+        for lane in 0..lanes.get() {
             put(lane, self(item(lane)));
         }
     }
@@ -36,12 +54,12 @@ pub(super) struct Quickly<Q, H, E> {
 
 impl<A: Copy, R, Q: Fn(A) -> R, H: Fn(A) -> bool, E: Fn(A) -> R> OnBlock<A, R> for Quickly<Q, H, E> {
     #[inline(always)]
-    fn run(&self, item: impl Fn(usize) -> A, mut put: impl FnMut(usize, R)) {
+    fn run(&self, lanes: LaneCount, item: impl Fn(usize) -> A, mut put: impl FnMut(usize, R)) {
         let mut failures = [0_u32; LANES];
-        for (lane, failure) in failures.iter_mut().enumerate() {
+        for lane in 0..lanes.get() {
             let item = item(lane);
             put(lane, (self.quick)(item));
-            *failure = u32::from(!(self.holds)(item));
+            failures[lane] = u32::from(!(self.holds)(item));
         }
         for_failures(&failures, |lane| put(lane, (self.exact)(item(lane))));
     }
@@ -74,20 +92,24 @@ where
     #[inline(always)]
     fn run(self) {
         // In registers, where no result can be taken for a part of it.
-        let function = self.plain;
+        let (function, lanes) = (self.plain, LaneCount::new());
         for (items, mut places) in self.source.blocks().zip(self.sink.blocks()) {
             let results = places.lanes();
-            function.run(|lane| items.get(lane), |lane, result| result.put(results, lane));
+            function.run(lanes, |lane| items.get(lane), |lane, result| result.put(results, lane));
             places.finish();
         }
     }
 
     #[inline(always)]
     fn run_fused(self) {
-        let function = self.fused;
+        let (function, lanes) = (self.fused, LaneCount::new());
         for (items, mut places) in self.source.blocks().zip(self.sink.blocks()) {
             let results = places.lanes();
-            function.run(|lane| items.get(lane).fuse(), |lane, result| D::Item::unfuse(result).put(results, lane));
+            function.run(
+                lanes,
+                |lane| items.get(lane).fuse(),
+                |lane, result| D::Item::unfuse(result).put(results, lane),
+            );
             places.finish();
         }
     }
