@@ -4,6 +4,7 @@
 //! something near ours comes with the results that should agree, which are then the first of ours: see [`interpolation`].
 
 mod compose;
+mod elements;
 mod exponentials;
 mod interpolation;
 mod kinematics;
@@ -37,6 +38,7 @@ pub(crate) fn all() -> impl Iterator<Item = Workload> {
     [
         compose::WORKLOADS,
         points::WORKLOADS,
+        elements::WORKLOADS,
         exponentials::WORKLOADS,
         interpolation::WORKLOADS,
         kinematics::WORKLOADS,
