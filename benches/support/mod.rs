@@ -10,6 +10,7 @@ mod interpolation;
 mod kinematics;
 mod motion;
 mod points;
+mod sampling;
 
 use std::hint::black_box;
 
@@ -42,6 +43,7 @@ pub(crate) fn all() -> impl Iterator<Item = Workload> {
         exponentials::WORKLOADS,
         interpolation::WORKLOADS,
         kinematics::WORKLOADS,
+        sampling::WORKLOADS,
     ]
     .into_iter()
     .flatten()
