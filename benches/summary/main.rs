@@ -2,15 +2,16 @@
 //!
 //! ```console
 //! $ cargo bench --bench summary
-//! $ RUSTFLAGS="-C target-cpu=native" cargo bench --bench summary -- --json summary.json
+//! $ cargo bench --bench summary -- kinematics    # those workloads that have it in their names
+//! $ RUSTFLAGS="-C target-cpu=native" cargo bench --features peers --bench summary -- --json summary.json
 //! ```
 //!
 //! The contenders of a workload take turns, many rounds of them, so that what else the machine does falls on all of them alike. A ratio
-//! is that of two times of one round; the table has the median of the rounds and the range of their middle half. Before products,
-//! points, screws and kinematics are timed, the contenders' results are compared; interpolations of others go other ways.
+//! is that of two times of one round; the table has the median of the rounds and the range of their middle half.
 
 mod stopwatch;
-mod workloads;
+#[path = "../support/mod.rs"]
+mod support;
 
 use std::error::Error;
 use std::fs;
@@ -20,13 +21,24 @@ use serde_json::json;
 use stopwatch::Row;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
-    let file = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => None,
-        ["--json", file] => Some(file.to_owned()),
-        _ => return Err("expected nothing, or --json FILE".into()),
-    };
-    let rows = workloads::all();
+    let (mut file, mut part) = (None, String::new());
+    let mut arguments = std::env::args().skip(1).filter(|argument| argument != "--bench");
+    while let Some(argument) = arguments.next() {
+        match argument.as_str() {
+            "--json" => file = Some(arguments.next().ok_or("expected a file after --json")?),
+            option if option.starts_with('-') => {
+                return Err(format!("expected --json FILE or a part of a name, found {option}").into());
+            }
+            _ => part = argument,
+        }
+    }
+    let rows: Vec<Row> = support::all()
+        .filter(|workload| workload.name.contains(&part))
+        .map(|workload| Row::measure(&workload))
+        .collect();
+    if rows.is_empty() {
+        return Err(format!("no workload has {part:?} in its name").into());
+    }
     println!("instructions of batches: {:?}\n", InstructionSet::in_use());
     println!("| workload, per item | ours | contender | its time | ratio |\n|---|---|---|---|---|");
     rows.iter().for_each(Row::print);

@@ -4,12 +4,11 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
+use super::support::Workload;
+
 /// How long a contender runs at a time: long beside the clock's step, short beside the machine's moods.
 const TURN: Duration = Duration::from_micros(500);
 const ROUNDS: usize = 200;
-
-/// Something to be timed, called again and again.
-pub(crate) type Contender<'a> = (&'static str, Box<dyn FnMut() + 'a>);
 
 /// A workload's times in nanoseconds per item; ours is the first.
 pub(crate) struct Row {
@@ -26,19 +25,20 @@ fn quartiles(mut numbers: Vec<f64>) -> [f64; 3] {
 }
 
 impl Row {
-    /// Times the contenders of a workload of so many items.
-    pub(crate) fn measure(workload: &'static str, items: usize, mut contenders: Vec<Contender<'_>>) -> Self {
-        let calls: Vec<u32> = contenders.iter_mut().map(|(_, run)| calls_in_a_turn(run)).collect();
+    /// Times the contenders of a workload.
+    pub(crate) fn measure(workload: &Workload) -> Self {
+        let mut contenders = workload.contenders();
+        let calls: Vec<u32> = contenders.iter_mut().map(|contender| calls_in_a_turn(&mut contender.run)).collect();
         let mut times = vec![Vec::with_capacity(ROUNDS); contenders.len()];
         for _ in 0..ROUNDS {
-            for (((_, run), &calls), times) in contenders.iter_mut().zip(&calls).zip(&mut times) {
+            for ((contender, &calls), times) in contenders.iter_mut().zip(&calls).zip(&mut times) {
                 let start = Instant::now();
-                (0..calls).for_each(|_| run());
-                times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(calls) / items as f64);
+                (0..calls).for_each(|_| (contender.run)());
+                times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(calls) / workload.items as f64);
             }
         }
-        eprintln!("measured: {workload}");
-        Self { workload, names: contenders.iter().map(|(name, _)| *name).collect(), times }
+        eprintln!("measured: {}", workload.name);
+        Self { workload: workload.name, names: contenders.iter().map(|contender| contender.name).collect(), times }
     }
 
     /// How many times as long as ours a contender takes, in each round.
