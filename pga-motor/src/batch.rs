@@ -20,8 +20,8 @@ mod between;
 mod blocks;
 mod lanes;
 mod layout;
-pub(crate) mod lines;
-pub(crate) mod motors;
+mod lines;
+mod motors;
 
 mod work;
 

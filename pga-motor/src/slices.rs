@@ -43,6 +43,41 @@ impl<X: Copy, Y, F: Fn(X) -> Y> Work for Map<'_, X, Y, F> {
     }
 }
 
+struct Zip<'a, X, Y, Z, F> {
+    items: &'a [X],
+    others: &'a [Y],
+    results: &'a mut [Z],
+    join: F,
+}
+
+impl<X: Copy, Y: Copy, Z, F: Fn(X, Y) -> Z> Work for Zip<'_, X, Y, Z, F> {
+    #[inline(always)]
+    fn run(self) {
+        for ((result, item), other) in self.results.iter_mut().zip(self.items).zip(self.others) {
+            *result = (self.join)(*item, *other);
+        }
+    }
+
+    #[inline(always)]
+    fn run_fused(self) {
+        self.run();
+    }
+}
+
+/// Writes what becomes of each pair into the place with the same index; nothing where the lengths differ.
+#[inline]
+pub(crate) fn zip<X: Copy, Y: Copy, Z>(
+    items: &[X],
+    others: &[Y],
+    results: &mut [Z],
+    join: impl Fn(X, Y) -> Z,
+) -> Result<(), LengthMismatch> {
+    check_lengths(items.len(), others.len())?;
+    check_lengths(items.len(), results.len())?;
+    dispatch(Zip { items, others, results, join });
+    Ok(())
+}
+
 /// Writes the image of each item into the place with the same index; nothing where the lengths differ.
 #[inline]
 pub(crate) fn map<X: Copy, Y>(items: &[X], results: &mut [Y], map: impl Fn(X) -> Y) -> Result<(), LengthMismatch> {

@@ -19,7 +19,7 @@ impl<T: Real> Blocks<Motor<T>> {
         nlerp(self, others, t, motors)
     }
 
-    /// Writes the motors at the great arcs' weights: [`Motor::slerp`], up to the last digits and the sign.
+    /// Writes the motors at the great arcs' weights: [`Motor::slerp`], up to the last digits.
     ///
     /// For t from 0 to 1 by the polynomials of [`Motor::log_slice`] and [`Line::exp_slice`]; what these do not hold for, and other
     /// t, is done one by one.
@@ -30,7 +30,7 @@ impl<T: Real> Blocks<Motor<T>> {
         slerp(self, others, t, motors)
     }
 
-    /// Writes the motors on the screws: [`Motor::screw_lerp`], up to the last digits and the sign. By polynomials, as
+    /// Writes the motors on the screws: [`Motor::screw_lerp`], up to the last digits. By polynomials, as
     /// [`Self::slerp_into`].
     ///
     /// # Errors
@@ -50,7 +50,7 @@ impl<T: Real> Motor<T> {
         nlerp(a, b, t, motors)
     }
 
-    /// Writes the motors at the great arcs' weights: [`Self::slerp`], up to the last digits and the sign, as
+    /// Writes the motors at the great arcs' weights: [`Self::slerp`], up to the last digits, as
     /// [`Blocks::slerp_into`](crate::batch::Blocks::slerp_into).
     ///
     /// # Errors
@@ -59,7 +59,7 @@ impl<T: Real> Motor<T> {
         slerp(a, b, t, motors)
     }
 
-    /// Writes the motors on the screws: [`Self::screw_lerp`], up to the last digits and the sign, as
+    /// Writes the motors on the screws: [`Self::screw_lerp`], up to the last digits, as
     /// [`Blocks::screw_lerp_into`](crate::batch::Blocks::screw_lerp_into).
     ///
     /// # Errors
@@ -193,9 +193,12 @@ impl<S: Real, P: Polynomials> OnBlock<(Motor<S>, Motor<S>), Motor<S>> for Screws
         let starts_at_a = t <= S::from_ratio(1, 2);
         let part = if starts_at_a { t } else { t - S::ONE };
         let mut steps = Motor::<S>::IDENTITY.splat::<LANES>();
+        let mut signs = [S::ONE; LANES];
         for lane in 0..lanes.get() {
             let (a, b) = pair(lane);
-            kernels::motor_mul_motor_fma(a.reverse(), b).short_way().put(&mut steps, lane);
+            let step = kernels::motor_mul_motor_fma(a.reverse(), b);
+            signs[lane] = if starts_at_a { S::ONE } else { sign_of(step.s) };
+            step.short_way().put(&mut steps, lane);
         }
         let mut failures = [0_u32; LANES];
         for lane in 0..lanes.get() {
@@ -211,7 +214,9 @@ impl<S: Real, P: Polynomials> OnBlock<(Motor<S>, Motor<S>), Motor<S>> for Screws
         for lane in 0..lanes.get() {
             let (a, b) = pair(lane);
             let from = if starts_at_a { a } else { b };
-            put(lane, kernels::motor_mul_motor_fma(from, Motor::<S>::get(&steps, lane)));
+            let step = Motor::<S>::get(&steps, lane);
+            let signed = Motor::from(step.to_array().map(|coefficient| coefficient * signs[lane]));
+            put(lane, kernels::motor_mul_motor_fma(from, signed));
         }
         for_failures(&failures, |lane| {
             let (a, b) = pair(lane);

@@ -1,7 +1,6 @@
 //! Batches of lines.
 
 use super::Blocks;
-use super::layout::{Sink, Source};
 use super::work::{OnBlock, Quickly, map};
 use crate::scalar::{Fused, Precision, precision};
 use crate::{LengthMismatch, Line, Motor, Real, kernels};
@@ -13,19 +12,11 @@ impl<T: Real> Blocks<Line<T>> {
     /// # Errors
     /// Lists of different lengths; then nothing is written.
     pub fn exp_into(&self, motors: &mut Blocks<Motor<T>>) -> Result<(), LengthMismatch> {
-        exp(self, motors)
-    }
-}
-
-pub(crate) fn exp_slice<T: Real>(lines: &[Line<T>], motors: &mut [Motor<T>]) -> Result<(), LengthMismatch> {
-    exp(lines, motors)
-}
-
-fn exp<T: Real>(lines: impl Source<Item = Line<T>>, motors: impl Sink<Item = Motor<T>>) -> Result<(), LengthMismatch> {
-    match precision::<T>() {
-        Precision::Single => map(lines, motors, exp_f32::<T>(), exp_f32::<Fused<T>>()),
-        Precision::Double => map(lines, motors, exp_f64::<T>(), exp_f64::<Fused<T>>()),
-        Precision::Finer => map(lines, motors, Line::<T>::exp, Line::<Fused<T>>::exp),
+        match precision::<T>() {
+            Precision::Single => map(self, motors, exp_f32::<T>(), exp_f32::<Fused<T>>()),
+            Precision::Double => map(self, motors, exp_f64::<T>(), exp_f64::<Fused<T>>()),
+            Precision::Finer => map(self, motors, Line::<T>::exp, Line::<Fused<T>>::exp),
+        }
     }
 }
 

@@ -1,9 +1,9 @@
 //! Batches of motors.
 
 use super::Blocks;
-use super::layout::{Sink, Source};
 use super::work::{OnBlock, Quickly, map, zip};
 use crate::scalar::{Fused, Precision, precision};
+use crate::slices;
 use crate::{Direction, EvenMultivector, LengthMismatch, Line, Motor, Plane, Point, Real, Scalar, kernels};
 
 /// Motors, pair by pair, and on points. Nothing is written where the lengths differ.
@@ -36,7 +36,11 @@ impl<T: Real> Blocks<Motor<T>> {
     /// # Errors
     /// Lists of different lengths.
     pub fn log_into(&self, lines: &mut Blocks<Line<T>>) -> Result<(), LengthMismatch> {
-        log(self, lines)
+        match precision::<T>() {
+            Precision::Single => map(self, lines, log_f32::<T>(), log_f32::<Fused<T>>()),
+            Precision::Double => map(self, lines, log_f64::<T>(), log_f64::<Fused<T>>()),
+            Precision::Finer => map(self, lines, Motor::<T>::log, Motor::<Fused<T>>::log),
+        }
     }
 
     /// Writes each motor without the rounding errors that it has gathered: [`Motor::renormalize`].
@@ -56,7 +60,7 @@ impl<T: Scalar> Motor<T> {
     /// # Errors
     /// Slices of different lengths.
     pub fn mul_slice(motors: &[Self], others: &[Self], products: &mut [Self]) -> Result<(), LengthMismatch> {
-        zip(motors, others, products, product, product)
+        slices::zip(motors, others, products, |a, b| a * b)
     }
 
     /// Writes where each motor carries the point at the same index.
@@ -68,7 +72,7 @@ impl<T: Scalar> Motor<T> {
         points: &[Point<T>],
         results: &mut [Point<T>],
     ) -> Result<(), LengthMismatch> {
-        zip(motors, points, results, transformed, transformed)
+        slices::zip(motors, points, results, Self::transform_point)
     }
 }
 
@@ -79,7 +83,7 @@ impl<T: Real> Motor<T> {
     /// # Errors
     /// Slices of different lengths.
     pub fn renormalize_slice(motors: &[Self], results: &mut [Self]) -> Result<(), LengthMismatch> {
-        map(motors, results, renormalized, renormalized)
+        slices::map(motors, results, Self::renormalize)
     }
 }
 
@@ -135,18 +139,6 @@ impl<T: Scalar> Motor<T> {
 
     fn fused(self) -> Motor<Fused<T>> {
         Motor::from(self.to_array().map(Fused))
-    }
-}
-
-pub(crate) fn log_slice<T: Real>(motors: &[Motor<T>], lines: &mut [Line<T>]) -> Result<(), LengthMismatch> {
-    log(motors, lines)
-}
-
-fn log<T: Real>(motors: impl Source<Item = Motor<T>>, lines: impl Sink<Item = Line<T>>) -> Result<(), LengthMismatch> {
-    match precision::<T>() {
-        Precision::Single => map(motors, lines, log_f32::<T>(), log_f32::<Fused<T>>()),
-        Precision::Double => map(motors, lines, log_f64::<T>(), log_f64::<Fused<T>>()),
-        Precision::Finer => map(motors, lines, Motor::<T>::log, Motor::<Fused<T>>::log),
     }
 }
 
