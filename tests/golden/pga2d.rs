@@ -15,6 +15,10 @@ pub mod scalar {
         const ONE: Self;
         /// The number `numerator / denominator`, as exact as the type can hold it.
         fn from_ratio(numerator: i32, denominator: i32) -> Self;
+        /// `self * factor + term`; a type whose instructions fuse the two may round once.
+        fn mul_add(self, factor: Self, term: Self) -> Self {
+            self * factor + term
+        }
     }
     /// Real numbers.
     pub trait Real: Scalar + PartialOrd + Div<Output = Self> {
@@ -3590,7 +3594,7 @@ pub mod kernels {
     /// - cos √A: off by at most 5.91e-10;
     /// - sin √A / √A: off by at most 5.71e-9;
     /// - as exact as `f32`, whatever `T` is.
-    #[inline]
+    #[inline(always)]
     pub fn bivector_exp_f32<T: Real>(b: Bivector<T>) -> Motor<T> {
         let argument = b.e12 * b.e12;
         let cos_root = cos_root_f32(argument);
@@ -3619,7 +3623,7 @@ pub mod kernels {
     /// - cos √A: off by at most 4.95e-18;
     /// - sin √A / √A: off by at most 2.58e-19;
     /// - as exact as `f64`, whatever `T` is.
-    #[inline]
+    #[inline(always)]
     pub fn bivector_exp_f64<T: Real>(b: Bivector<T>) -> Motor<T> {
         let argument = b.e12 * b.e12;
         let cos_root = cos_root_f64(argument);
@@ -3667,7 +3671,7 @@ pub mod kernels {
     /// divisions or library calls; for the inputs of [`motor_log_f32_holds`], elsewhere wrong:
     /// - acos s / √(1 - s²), s = 1 - x: off by at most 1.58e-8;
     /// - as exact as `f32`, whatever `T` is.
-    #[inline]
+    #[inline(always)]
     pub fn motor_log_f32<T: Real>(m: Motor<T>) -> Bivector<T> {
         let argument = T::ONE - m.s;
         let angle_ratio = angle_ratio_f32(argument);
@@ -3695,7 +3699,7 @@ pub mod kernels {
     /// divisions or library calls; for the inputs of [`motor_log_f64_holds`], elsewhere wrong:
     /// - acos s / √(1 - s²), s = 1 - x: off by at most 4.06e-17;
     /// - as exact as `f64`, whatever `T` is.
-    #[inline]
+    #[inline(always)]
     pub fn motor_log_f64<T: Real>(m: Motor<T>) -> Bivector<T> {
         let argument = T::ONE - m.s;
         let angle_ratio = angle_ratio_f64(argument);
@@ -4125,93 +4129,93 @@ pub mod kernels {
         }
     }
     /// cos √A by a polynomial of degree 5 for A in [0, 2.5]; off by at most 5.91e-10, roundings apart.
-    #[inline]
+    #[inline(always)]
     fn cos_root_f32<T: Real>(x: T) -> T {
         let mut sum = T::from_f64(-0.0000002613759875202959);
-        sum = sum * x + T::from_f64(0.000024766301066847518);
-        sum = sum * x + T::from_f64(-0.001388851786032319);
-        sum = sum * x + T::from_f64(0.041666653007268906);
-        sum = sum * x + T::from_f64(-0.5);
-        sum = sum * x + T::from_f64(1.0);
+        sum = sum.mul_add(x, T::from_f64(0.000024766301066847518));
+        sum = sum.mul_add(x, T::from_f64(-0.001388851786032319));
+        sum = sum.mul_add(x, T::from_f64(0.041666653007268906));
+        sum = sum.mul_add(x, T::from_f64(-0.5));
+        sum = sum.mul_add(x, T::from_f64(1.0));
         sum
     }
     /// cos √A by a polynomial of degree 8 for A in [0, 2.5]; off by at most 4.95e-18, roundings apart.
-    #[inline]
+    #[inline(always)]
     fn cos_root_f64<T: Real>(x: T) -> T {
         let mut sum = T::from_f64(0.000000000000046088425582003074);
-        sum = sum * x + T::from_f64(-0.000000000011462914294862033);
-        sum = sum * x + T::from_f64(0.0000000020876563506784576);
-        sum = sum * x + T::from_f64(-0.0000002755731645456886);
-        sum = sum * x + T::from_f64(0.000024801587278560633);
-        sum = sum * x + T::from_f64(-0.0013888888888783613);
-        sum = sum * x + T::from_f64(0.04166666666666437);
-        sum = sum * x + T::from_f64(-0.49999999999999983);
-        sum = sum * x + T::from_f64(1.0);
+        sum = sum.mul_add(x, T::from_f64(-0.000000000011462914294862033));
+        sum = sum.mul_add(x, T::from_f64(0.0000000020876563506784576));
+        sum = sum.mul_add(x, T::from_f64(-0.0000002755731645456886));
+        sum = sum.mul_add(x, T::from_f64(0.000024801587278560633));
+        sum = sum.mul_add(x, T::from_f64(-0.0013888888888783613));
+        sum = sum.mul_add(x, T::from_f64(0.04166666666666437));
+        sum = sum.mul_add(x, T::from_f64(-0.49999999999999983));
+        sum = sum.mul_add(x, T::from_f64(1.0));
         sum
     }
     /// sin √A / √A by a polynomial of degree 4 for A in [0, 2.5]; off by at most 5.71e-9, roundings apart.
-    #[inline]
+    #[inline(always)]
     fn sinc_root_f32<T: Real>(x: T) -> T {
         let mut sum = T::from_f64(0.000002606097041280009);
-        sum = sum * x + T::from_f64(-0.00019809826335404068);
-        sum = sum * x + T::from_f64(0.008333070203661919);
-        sum = sum * x + T::from_f64(-0.16666659712791443);
-        sum = sum * x + T::from_f64(1.0);
+        sum = sum.mul_add(x, T::from_f64(-0.00019809826335404068));
+        sum = sum.mul_add(x, T::from_f64(0.008333070203661919));
+        sum = sum.mul_add(x, T::from_f64(-0.16666659712791443));
+        sum = sum.mul_add(x, T::from_f64(1.0));
         sum
     }
     /// sin √A / √A by a polynomial of degree 8 for A in [0, 2.5]; off by at most 2.58e-19, roundings apart.
-    #[inline]
+    #[inline(always)]
     fn sinc_root_f64<T: Real>(x: T) -> T {
         let mut sum = T::from_f64(0.0000000000000027213759448174473);
-        sum = sum * x + T::from_f64(-0.0000000000007643019820401408);
-        sum = sum * x + T::from_f64(0.00000000016058941194936174);
-        sum = sum * x + T::from_f64(-0.00000002505210691155428);
-        sum = sum * x + T::from_f64(0.0000027557319211677593);
-        sum = sum * x + T::from_f64(-0.00019841269841213205);
-        sum = sum * x + T::from_f64(0.008333333333333208);
-        sum = sum * x + T::from_f64(-0.16666666666666666);
-        sum = sum * x + T::from_f64(1.0);
+        sum = sum.mul_add(x, T::from_f64(-0.0000000000007643019820401408));
+        sum = sum.mul_add(x, T::from_f64(0.00000000016058941194936174));
+        sum = sum.mul_add(x, T::from_f64(-0.00000002505210691155428));
+        sum = sum.mul_add(x, T::from_f64(0.0000027557319211677593));
+        sum = sum.mul_add(x, T::from_f64(-0.00019841269841213205));
+        sum = sum.mul_add(x, T::from_f64(0.008333333333333208));
+        sum = sum.mul_add(x, T::from_f64(-0.16666666666666666));
+        sum = sum.mul_add(x, T::from_f64(1.0));
         sum
     }
     /// acos s / √(1 - s²), s = 1 - x by a polynomial of degree 9 for x in [-0.0009765625, 1]; off by at most 1.58e-8, roundings apart.
-    #[inline]
+    #[inline(always)]
     fn angle_ratio_f32<T: Real>(x: T) -> T {
         let mut sum = T::from_f64(0.011583554558455944);
-        sum = sum * x + T::from_f64(-0.03441550210118294);
-        sum = sum * x + T::from_f64(0.054234735667705536);
-        sum = sum * x + T::from_f64(-0.03664181008934975);
-        sum = sum * x + T::from_f64(0.031718723475933075);
-        sum = sum * x + T::from_f64(0.019666580483317375);
-        sum = sum * x + T::from_f64(0.058051638305187225);
-        sum = sum * x + T::from_f64(0.13326320052146912);
-        sum = sum * x + T::from_f64(0.33333519101142883);
-        sum = sum * x + T::from_f64(1.0);
+        sum = sum.mul_add(x, T::from_f64(-0.03441550210118294));
+        sum = sum.mul_add(x, T::from_f64(0.054234735667705536));
+        sum = sum.mul_add(x, T::from_f64(-0.03664181008934975));
+        sum = sum.mul_add(x, T::from_f64(0.031718723475933075));
+        sum = sum.mul_add(x, T::from_f64(0.019666580483317375));
+        sum = sum.mul_add(x, T::from_f64(0.058051638305187225));
+        sum = sum.mul_add(x, T::from_f64(0.13326320052146912));
+        sum = sum.mul_add(x, T::from_f64(0.33333519101142883));
+        sum = sum.mul_add(x, T::from_f64(1.0));
         sum
     }
     /// acos s / √(1 - s²), s = 1 - x by a polynomial of degree 20 for x in [-0.0009765625, 1]; off by at most 4.06e-17, roundings apart.
-    #[inline]
+    #[inline(always)]
     fn angle_ratio_f64<T: Real>(x: T) -> T {
         let mut sum = T::from_f64(0.00012721507731140925);
-        sum = sum * x + T::from_f64(-0.0010855961648585655);
-        sum = sum * x + T::from_f64(0.004389909006317947);
-        sum = sum * x + T::from_f64(-0.01103237026145634);
-        sum = sum * x + T::from_f64(0.019228803032458126);
-        sum = sum * x + T::from_f64(-0.02454232618304869);
-        sum = sum * x + T::from_f64(0.023731602950333913);
-        sum = sum * x + T::from_f64(-0.017633460384960213);
-        sum = sum * x + T::from_f64(0.010301100469312104);
-        sum = sum * x + T::from_f64(-0.00451268397317185);
-        sum = sum * x + T::from_f64(0.0019028042674218522);
-        sum = sum * x + T::from_f64(0.00010581787897227025);
-        sum = sum * x + T::from_f64(0.0012639215873689812);
-        sum = sum * x + T::from_f64(0.0024716623014011587);
-        sum = sum * x + T::from_f64(0.005329695355050098);
-        sum = sum * x + T::from_f64(0.011543875632361297);
-        sum = sum * x + T::from_f64(0.02539683262208907);
-        sum = sum * x + T::from_f64(0.057142856911567515);
-        sum = sum * x + T::from_f64(0.13333333333711495);
-        sum = sum * x + T::from_f64(0.33333333333331155);
-        sum = sum * x + T::from_f64(1.0);
+        sum = sum.mul_add(x, T::from_f64(-0.0010855961648585655));
+        sum = sum.mul_add(x, T::from_f64(0.004389909006317947));
+        sum = sum.mul_add(x, T::from_f64(-0.01103237026145634));
+        sum = sum.mul_add(x, T::from_f64(0.019228803032458126));
+        sum = sum.mul_add(x, T::from_f64(-0.02454232618304869));
+        sum = sum.mul_add(x, T::from_f64(0.023731602950333913));
+        sum = sum.mul_add(x, T::from_f64(-0.017633460384960213));
+        sum = sum.mul_add(x, T::from_f64(0.010301100469312104));
+        sum = sum.mul_add(x, T::from_f64(-0.00451268397317185));
+        sum = sum.mul_add(x, T::from_f64(0.0019028042674218522));
+        sum = sum.mul_add(x, T::from_f64(0.00010581787897227025));
+        sum = sum.mul_add(x, T::from_f64(0.0012639215873689812));
+        sum = sum.mul_add(x, T::from_f64(0.0024716623014011587));
+        sum = sum.mul_add(x, T::from_f64(0.005329695355050098));
+        sum = sum.mul_add(x, T::from_f64(0.011543875632361297));
+        sum = sum.mul_add(x, T::from_f64(0.02539683262208907));
+        sum = sum.mul_add(x, T::from_f64(0.057142856911567515));
+        sum = sum.mul_add(x, T::from_f64(0.13333333333711495));
+        sum = sum.mul_add(x, T::from_f64(0.33333333333331155));
+        sum = sum.mul_add(x, T::from_f64(1.0));
         sum
     }
 }

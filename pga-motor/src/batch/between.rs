@@ -3,133 +3,210 @@
 use super::Blocks;
 use super::blocks::LANES;
 use super::lanes::Lanewise;
-use super::layout::{Sink, Source};
-use super::work::{LaneCount, OnBlock, for_failures, zip};
+use super::layout::{Same, Sink, Source};
+use super::work::{LaneCount, OnBlock, for_failures, map};
 use crate::scalar::{Fused, Precision, precision};
-use crate::weights;
-use crate::{EvenMultivector, LengthMismatch, Line, Motor, Real, kernels};
+use crate::slices::check_lengths;
+use crate::{EvenMultivector, LengthMismatch, Line, Motor, Real, Translator, kernels, weights};
 
-/// Motors between each of these and the one at the same index of `others`. Nothing is written where the lengths differ.
+/// Motors between each of these and the one at the same index of `others`, up to the last digits. Nothing is written where the lengths
+/// differ.
+///
+/// Angles go by the polynomials of [`Motor::log_slice`] and [`Line::exp_slice`], for t from 0 to 1; what these do not hold for, and
+/// other t, is done one by one.
 impl<T: Real> Blocks<Motor<T>> {
     /// Writes the motors on the straight lines: [`Motor::nlerp`].
     ///
     /// # Errors
     /// Lists of different lengths.
     pub fn nlerp_into(&self, others: &Self, t: T, motors: &mut Self) -> Result<(), LengthMismatch> {
-        nlerp(self, others, t, motors)
+        between(Way::Nlerp, self, others, t, motors)
     }
 
-    /// Writes the motors at the great arcs' weights: [`Motor::slerp`], up to the last digits.
-    ///
-    /// For t from 0 to 1 by the polynomials of [`Motor::log_slice`] and [`Line::exp_slice`]; what these do not hold for, and other
-    /// t, is done one by one.
+    /// Writes the motors at the great arcs' weights: [`Motor::slerp`].
     ///
     /// # Errors
     /// Lists of different lengths.
     pub fn slerp_into(&self, others: &Self, t: T, motors: &mut Self) -> Result<(), LengthMismatch> {
-        slerp(self, others, t, motors)
+        between(Way::Slerp, self, others, t, motors)
     }
 
-    /// Writes the motors on the screws: [`Motor::screw_lerp`], up to the last digits. By polynomials, as
-    /// [`Self::slerp_into`].
+    /// Writes the motors on the screws: [`Motor::screw_lerp`].
     ///
     /// # Errors
     /// Lists of different lengths.
     pub fn screw_lerp_into(&self, others: &Self, t: T, motors: &mut Self) -> Result<(), LengthMismatch> {
-        screw_lerp(self, others, t, motors)
+        between(Way::Screw, self, others, t, motors)
+    }
+
+    /// Writes the motors whose turns and translations are interpolated apart: [`Motor::split_lerp`].
+    ///
+    /// # Errors
+    /// Lists of different lengths.
+    pub fn split_lerp_into(&self, others: &Self, t: T, motors: &mut Self) -> Result<(), LengthMismatch> {
+        between(Way::Split, self, others, t, motors)
     }
 }
 
-/// Motors between those of two arrays, pair by pair. Nothing is written where the lengths differ.
+/// Motors between those of two arrays, pair by pair, as by the functions of [`Blocks`]. Nothing is written where the lengths differ.
 impl<T: Real> Motor<T> {
     /// Writes the motors on the straight lines: [`Self::nlerp`].
     ///
     /// # Errors
     /// Slices of different lengths.
     pub fn nlerp_slice(a: &[Self], b: &[Self], t: T, motors: &mut [Self]) -> Result<(), LengthMismatch> {
-        nlerp(a, b, t, motors)
+        between(Way::Nlerp, a, b, t, motors)
     }
 
-    /// Writes the motors at the great arcs' weights: [`Self::slerp`], up to the last digits, as
-    /// [`Blocks::slerp_into`](crate::batch::Blocks::slerp_into).
+    /// Writes the motors at the great arcs' weights: [`Self::slerp`].
     ///
     /// # Errors
     /// Slices of different lengths.
     pub fn slerp_slice(a: &[Self], b: &[Self], t: T, motors: &mut [Self]) -> Result<(), LengthMismatch> {
-        slerp(a, b, t, motors)
+        between(Way::Slerp, a, b, t, motors)
     }
 
-    /// Writes the motors on the screws: [`Self::screw_lerp`], up to the last digits, as
-    /// [`Blocks::screw_lerp_into`](crate::batch::Blocks::screw_lerp_into).
+    /// Writes the motors on the screws: [`Self::screw_lerp`].
     ///
     /// # Errors
     /// Slices of different lengths.
     pub fn screw_lerp_slice(a: &[Self], b: &[Self], t: T, motors: &mut [Self]) -> Result<(), LengthMismatch> {
-        screw_lerp(a, b, t, motors)
+        between(Way::Screw, a, b, t, motors)
+    }
+
+    /// Writes the motors whose turns and translations are interpolated apart: [`Self::split_lerp`].
+    ///
+    /// # Errors
+    /// Slices of different lengths.
+    pub fn split_lerp_slice(a: &[Self], b: &[Self], t: T, motors: &mut [Self]) -> Result<(), LengthMismatch> {
+        between(Way::Split, a, b, t, motors)
     }
 }
 
-fn nlerp<T: Real, A, B, D>(a: A, b: B, t: T, motors: D) -> Result<(), LengthMismatch>
+/// A way from motor to motor.
+#[derive(Clone, Copy)]
+pub(crate) enum Way {
+    Nlerp,
+    Slerp,
+    Screw,
+    Split,
+}
+
+/// Two motors, and how much of the way from the first to the second has passed.
+#[derive(Clone, Copy)]
+pub(crate) struct Pair<S> {
+    pub(crate) a: Motor<S>,
+    pub(crate) b: Motor<S>,
+    pub(crate) t: S,
+}
+
+/// What takes the ways of all pairs of a block.
+pub(crate) trait Travel<T> {
+    type Output;
+
+    fn travel(
+        self,
+        plain: impl OnBlock<Pair<T>, Motor<T>>,
+        fused: impl OnBlock<Pair<Fused<T>>, Motor<Fused<T>>>,
+    ) -> Self::Output;
+}
+
+/// Chooses what is done for a way: by polynomials where every t is from 0 to 1.
+pub(crate) fn choose<T: Real, V: Travel<T>>(way: Way, all_between: bool, traveller: V) -> V::Output {
+    match (way, precision::<T>()) {
+        (Way::Nlerp, _) if all_between => traveller.travel(chord, chord),
+        (Way::Slerp, Precision::Single) if all_between => {
+            traveller.travel(Arcs::<_, false>(Single), Arcs::<_, false>(Single))
+        }
+        (Way::Slerp, Precision::Double) if all_between => {
+            traveller.travel(Arcs::<_, false>(Double), Arcs::<_, false>(Double))
+        }
+        (Way::Screw, Precision::Single) if all_between => traveller.travel(Screws(Single), Screws(Single)),
+        (Way::Screw, Precision::Double) if all_between => traveller.travel(Screws(Double), Screws(Double)),
+        (Way::Split, Precision::Single) if all_between => {
+            traveller.travel(Arcs::<_, true>(Single), Arcs::<_, true>(Single))
+        }
+        (Way::Split, Precision::Double) if all_between => {
+            traveller.travel(Arcs::<_, true>(Double), Arcs::<_, true>(Double))
+        }
+        (Way::Nlerp, _) => traveller.travel(|p: Pair<T>| p.a.nlerp(p.b, p.t), |p: Pair<_>| p.a.nlerp(p.b, p.t)),
+        (Way::Slerp, _) => traveller.travel(|p: Pair<T>| p.a.slerp(p.b, p.t), |p: Pair<_>| p.a.slerp(p.b, p.t)),
+        (Way::Screw, _) => {
+            traveller.travel(|p: Pair<T>| p.a.screw_lerp(p.b, p.t), |p: Pair<_>| p.a.screw_lerp(p.b, p.t))
+        }
+        (Way::Split, _) => {
+            traveller.travel(|p: Pair<T>| p.a.split_lerp(p.b, p.t), |p: Pair<_>| p.a.split_lerp(p.b, p.t))
+        }
+    }
+}
+
+fn between<T: Real>(
+    way: Way,
+    a: impl Source<Item = Motor<T>>,
+    b: impl Source<Item = Motor<T>>,
+    t: T,
+    motors: impl Sink<Item = Motor<T>>,
+) -> Result<(), LengthMismatch> {
+    check_lengths(a.len(), b.len())?;
+    choose(way, weights::is_between(t), Lists { pairs: ((a, b), Same(t)), motors })
+}
+
+/// The pairs of two lists with one t, and the list of results.
+struct Lists<P, D> {
+    pairs: P,
+    motors: D,
+}
+
+impl<T, A, B, D> Travel<T> for Lists<((A, B), Same<T>), D>
 where
+    T: Real,
     A: Source<Item = Motor<T>>,
     B: Source<Item = Motor<T>>,
     D: Sink<Item = Motor<T>>,
 {
-    if weights::is_between(t) {
-        zip(a, b, motors, chord(t), chord(Fused(t)))
-    } else {
-        zip(a, b, motors, one_by_one(t, Motor::nlerp), one_by_one(Fused(t), Motor::nlerp))
+    type Output = Result<(), LengthMismatch>;
+
+    #[inline(always)]
+    fn travel(
+        self,
+        plain: impl OnBlock<Pair<T>, Motor<T>>,
+        fused: impl OnBlock<Pair<Fused<T>>, Motor<Fused<T>>>,
+    ) -> Self::Output {
+        map(self.pairs, self.motors, Paired(plain), Paired(fused))
     }
 }
 
-fn slerp<T: Real, A, B, D>(a: A, b: B, t: T, motors: D) -> Result<(), LengthMismatch>
-where
-    A: Source<Item = Motor<T>>,
-    B: Source<Item = Motor<T>>,
-    D: Sink<Item = Motor<T>>,
-{
-    match precision::<T>() {
-        Precision::Single if weights::is_between(t) => zip(a, b, motors, Arcs(t, SINGLE), Arcs(Fused(t), SINGLE)),
-        Precision::Double if weights::is_between(t) => zip(a, b, motors, Arcs(t, DOUBLE), Arcs(Fused(t), DOUBLE)),
-        _ => zip(a, b, motors, one_by_one(t, Motor::slerp), one_by_one(Fused(t), Motor::slerp)),
-    }
-}
+/// What is done with pairs, done with what lists have of them.
+struct Paired<F>(F);
 
-fn screw_lerp<T: Real, A, B, D>(a: A, b: B, t: T, motors: D) -> Result<(), LengthMismatch>
-where
-    A: Source<Item = Motor<T>>,
-    B: Source<Item = Motor<T>>,
-    D: Sink<Item = Motor<T>>,
-{
-    match precision::<T>() {
-        Precision::Single if weights::is_between(t) => zip(a, b, motors, Screws(t, SINGLE), Screws(Fused(t), SINGLE)),
-        Precision::Double if weights::is_between(t) => zip(a, b, motors, Screws(t, DOUBLE), Screws(Fused(t), DOUBLE)),
-        _ => zip(a, b, motors, one_by_one(t, Motor::screw_lerp), one_by_one(Fused(t), Motor::screw_lerp)),
+impl<S: Copy, F: OnBlock<Pair<S>, Motor<S>>> OnBlock<((Motor<S>, Motor<S>), Same<S>), Motor<S>> for Paired<F> {
+    #[inline(always)]
+    fn run(
+        &self,
+        lanes: LaneCount,
+        item: impl Fn(usize) -> ((Motor<S>, Motor<S>), Same<S>),
+        put: impl FnMut(usize, Motor<S>),
+    ) {
+        let pair = |lane| {
+            let ((a, b), Same(t)) = item(lane);
+            Pair { a, b, t }
+        };
+        self.0.run(lanes, pair, put);
     }
-}
-
-/// A way between motors at one t.
-fn one_by_one<S: Real>(
-    t: S,
-    way: impl Fn(Motor<S>, Motor<S>, S) -> Motor<S>,
-) -> impl Fn((Motor<S>, Motor<S>)) -> Motor<S> {
-    move |(a, b)| way(a, b, t)
 }
 
 /// [`Motor::nlerp`] at a t from 0 to 1, without a branch.
-fn chord<S: Real>(t: S) -> impl Fn((Motor<S>, Motor<S>)) -> Motor<S> {
-    let (starts_at_a, step) = (t <= S::from_ratio(1, 2), weights::chord(t).step);
-    #[inline(always)]
-    move |(a, b)| {
-        let sign = sign_of(kernels::motor_scalar_product_motor_fma(a, b));
-        let (a, b) = (a.to_array(), b.to_array());
-        let sum = core::array::from_fn(|i| {
-            let end = b[i] * sign;
-            let (near, far) = if starts_at_a { (a[i], end) } else { (end, a[i]) };
-            (far - near).mul_add(step, near)
-        });
-        kernels::even_normalize_fma(EvenMultivector::from(sum))
-    }
+#[inline(always)]
+fn chord<S: Real>(Pair { a, b, t }: Pair<S>) -> Motor<S> {
+    let to_b = t * sign_of(kernels::motor_scalar_product_motor_fma(a, b));
+    kernels::even_normalize_fma(weighted(a, S::ONE - t, b, to_b))
+}
+
+/// The sum of two motors times weights.
+#[inline(always)]
+fn weighted<S: Real>(a: Motor<S>, of_a: S, b: Motor<S>, of_b: S) -> EvenMultivector<S> {
+    let (a, b) = (a.to_array(), b.to_array());
+    EvenMultivector::from(core::array::from_fn(|i| b[i].mul_add(of_b, a[i] * of_a)))
 }
 
 #[inline(always)]
@@ -151,9 +228,6 @@ struct Single;
 /// For `f64`.
 #[derive(Clone, Copy)]
 struct Double;
-
-const SINGLE: Single = Single;
-const DOUBLE: Double = Double;
 
 macro_rules! polynomials {
     ($precision:ident: $log:ident $holds:ident $exp:ident) => {
@@ -177,111 +251,92 @@ macro_rules! polynomials {
 polynomials!(Single: motor_log_f32 motor_log_f32_holds line_exp_f32);
 polynomials!(Double: motor_log_f64 motor_log_f64_holds line_exp_f64);
 
-/// a exp(t log(~a b)), from the nearer end, in stages: each is a loop of its own over the lanes, short enough to be inlined and to stay in
-/// registers. t is from 0 to 1.
-struct Screws<S, P>(S, P);
+/// a exp(t log(~a b)) at a t from 0 to 1, in stages: each is a loop of its own over the lanes, short enough to be inlined and to stay in
+/// registers.
+struct Screws<P>(P);
 
-impl<S: Real, P: Polynomials> OnBlock<(Motor<S>, Motor<S>), Motor<S>> for Screws<S, P> {
+impl<S: Real, P: Polynomials> OnBlock<Pair<S>, Motor<S>> for Screws<P> {
     #[inline(always)]
-    fn run(
-        &self,
-        lanes: LaneCount,
-        pair: impl Fn(usize) -> (Motor<S>, Motor<S>),
-        mut put: impl FnMut(usize, Motor<S>),
-    ) {
-        let Self(t, polynomials) = *self;
-        let starts_at_a = t <= S::from_ratio(1, 2);
-        let part = if starts_at_a { t } else { t - S::ONE };
+    fn run(&self, lanes: LaneCount, pair: impl Fn(usize) -> Pair<S>, mut put: impl FnMut(usize, Motor<S>)) {
+        let Self(polynomials) = *self;
         let mut steps = Motor::<S>::IDENTITY.splat::<LANES>();
-        let mut signs = [S::ONE; LANES];
-        for lane in 0..lanes.get() {
-            let (a, b) = pair(lane);
-            let step = kernels::motor_mul_motor_fma(a.reverse(), b);
-            signs[lane] = if starts_at_a { S::ONE } else { sign_of(step.s) };
-            step.short_way().put(&mut steps, lane);
-        }
         let mut failures = [0_u32; LANES];
         for lane in 0..lanes.get() {
-            failures[lane] = u32::from(!polynomials.log_holds(Motor::<S>::get(&steps, lane)));
+            let Pair { a, b, .. } = pair(lane);
+            let step = kernels::motor_mul_motor_fma(a.reverse(), b).short_way();
+            failures[lane] = u32::from(!polynomials.log_holds(step));
+            step.put(&mut steps, lane);
         }
         let mut generators = Line::<S>::ZERO.splat::<LANES>();
         for lane in 0..lanes.get() {
-            (polynomials.log(Motor::<S>::get(&steps, lane)) * part).put(&mut generators, lane);
+            (polynomials.log(Motor::<S>::get(&steps, lane)) * pair(lane).t).put(&mut generators, lane);
         }
         for lane in 0..lanes.get() {
             polynomials.exp(Line::<S>::get(&generators, lane)).put(&mut steps, lane);
         }
         for lane in 0..lanes.get() {
-            let (a, b) = pair(lane);
-            let from = if starts_at_a { a } else { b };
-            let step = Motor::<S>::get(&steps, lane);
-            let signed = Motor::from(step.to_array().map(|coefficient| coefficient * signs[lane]));
-            put(lane, kernels::motor_mul_motor_fma(from, signed));
+            put(lane, kernels::motor_mul_motor_fma(pair(lane).a, Motor::<S>::get(&steps, lane)));
         }
         for_failures(&failures, |lane| {
-            let (a, b) = pair(lane);
+            let Pair { a, b, t } = pair(lane);
             put(lane, a.screw_lerp(b, t));
         });
     }
 }
 
-/// [`Motor::slerp`] at a t from 0 to 1, in stages.
-struct Arcs<S, P>(S, P);
+/// Ways by the weights of the great arc between the rotors (Shoemake 1985), a sin((1 - t) h)/sin h + b sin(t h)/sin h, at a t from 0 to
+/// 1, in stages: [`Motor::slerp`], or where `SPLIT` [`Motor::split_lerp`].
+struct Arcs<P, const SPLIT: bool>(P);
 
-impl<S: Real, P: Polynomials> OnBlock<(Motor<S>, Motor<S>), Motor<S>> for Arcs<S, P> {
+impl<S: Real, P: Polynomials, const SPLIT: bool> OnBlock<Pair<S>, Motor<S>> for Arcs<P, SPLIT> {
     #[inline(always)]
-    fn run(
-        &self,
-        lanes: LaneCount,
-        pair: impl Fn(usize) -> (Motor<S>, Motor<S>),
-        mut put: impl FnMut(usize, Motor<S>),
-    ) {
-        let Self(t, polynomials) = *self;
-        let (half, starts_at_a) = (S::from_ratio(1, 2), t <= S::from_ratio(1, 2));
-        let part = if starts_at_a { t } else { S::ONE - t };
+    fn run(&self, lanes: LaneCount, pair: impl Fn(usize) -> Pair<S>, mut put: impl FnMut(usize, Motor<S>)) {
+        let Self(polynomials) = *self;
         let mut signs = [S::ONE; LANES];
-        let mut failures = [0_u32; LANES];
         let mut angles = [S::ZERO; LANES];
+        let mut failures = [0_u32; LANES];
         for lane in 0..lanes.get() {
-            let (a, b) = pair(lane);
-            let turn = Motor::from(a.rotor().reverse() * b.rotor());
+            let Pair { a, b, .. } = pair(lane);
+            let turn = Motor::from(kernels::rotor_mul_rotor(a.rotor().reverse(), b.rotor()));
             signs[lane] = sign_of(turn.s);
             failures[lane] = u32::from(!polynomials.log_holds(turn.short_way()));
-            let generator = polynomials.log(turn.short_way());
-            angles[lane] = kernels::line_norm_squared(generator).sqrt();
+            angles[lane] = kernels::line_norm_squared(polynomials.log(turn.short_way())).sqrt();
         }
-        // The weights as those of `weights::great_arc`.
-        let mut near_weights = [S::ONE; LANES];
-        let mut steps = [S::ONE; LANES];
+        let (mut of_a, mut of_b) = ([S::ONE; LANES], [S::ONE; LANES]);
         for lane in 0..lanes.get() {
-            let angle = angles[lane];
-            let (part_sinc, _) = sinc_and_cosine(polynomials, part * angle);
-            let (whole_sinc, _) = sinc_and_cosine(polynomials, angle);
-            let (_, part_cosine) = sinc_and_cosine(polynomials, (half - part) * angle);
-            let (_, half_cosine) = sinc_and_cosine(polynomials, half * angle);
-            near_weights[lane] = part_cosine / half_cosine;
-            steps[lane] = part * (part_sinc / whole_sinc);
+            let (angle, t) = (angles[lane], pair(lane).t);
+            let (rest, whole) = (S::ONE - t, S::ONE / sinc(polynomials, angle));
+            of_a[lane] = rest * sinc(polynomials, rest * angle) * whole;
+            of_b[lane] = t * sinc(polynomials, t * angle) * whole * signs[lane];
         }
         for lane in 0..lanes.get() {
-            let (a, b) = pair(lane);
-            let (a, b) = (a.to_array(), b.to_array());
-            let sum = core::array::from_fn(|i| {
-                let end = b[i] * signs[lane];
-                let (near, far) = if starts_at_a { (a[i], end) } else { (end, a[i]) };
-                (far - near).mul_add(steps[lane], near * near_weights[lane])
-            });
-            put(lane, kernels::even_normalize_fma(EvenMultivector::from(sum)));
+            let pair = pair(lane);
+            let (of_a, of_b) = (of_a[lane], of_b[lane]);
+            put(lane, if SPLIT { split(pair, of_a, of_b) } else { weighted_and_normalized(pair, of_a, of_b) });
         }
         for_failures(&failures, |lane| {
-            let (a, b) = pair(lane);
-            put(lane, a.slerp(b, t));
+            let Pair { a, b, t } = pair(lane);
+            put(lane, if SPLIT { a.split_lerp(b, t) } else { a.slerp(b, t) });
         });
     }
 }
 
-/// sin x / x and cos x. In the exponential of the line x e23 + e02 they are the coefficients of e02 and 1.
 #[inline(always)]
-fn sinc_and_cosine<S: Real>(polynomials: impl Polynomials, angle: S) -> (S, S) {
-    let motor = polynomials.exp(Line { e23: angle, e02: S::ONE, ..Line::ZERO });
-    (motor.e02, motor.s)
+fn weighted_and_normalized<S: Real>(Pair { a, b, .. }: Pair<S>, of_a: S, of_b: S) -> Motor<S> {
+    kernels::even_normalize_fma(weighted(a, of_a, b, of_b))
+}
+
+/// The weighted rotors, and the translation on the straight line.
+#[inline(always)]
+fn split<S: Real>(Pair { a, b, t }: Pair<S>, of_a: S, of_b: S) -> Motor<S> {
+    let rotor = weighted_and_normalized(Pair { a: a.rotor().into(), b: b.rotor().into(), t }, of_a, of_b).rotor();
+    let (from, to) = (a.translator().vector().to_array(), b.translator().vector().to_array());
+    let vector = core::array::from_fn(|i| to[i].mul_add(t, from[i] * (S::ONE - t)));
+    Motor::from_rotor_translator(rotor, Translator::from_vector(vector.into()))
+}
+
+/// sin x / x: in the exponential of the line x e23 + e02 the coefficient of e02.
+#[inline(always)]
+fn sinc<S: Real>(polynomials: impl Polynomials, angle: S) -> S {
+    polynomials.exp(Line { e23: angle, e02: S::ONE, ..Line::ZERO }).e02
 }

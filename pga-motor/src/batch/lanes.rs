@@ -18,6 +18,10 @@ pub trait Lanewise: Copy + sealed::Fusible {
 
 /// The kernels know all types that there are.
 pub(super) mod sealed {
+    use super::super::layout::Same;
+    use crate::Scalar;
+    use crate::scalar::Fused;
+
     /// What batches turn items into where machines fuse products with sums.
     pub trait Fusible {
         /// The same of [`Fused`](crate::scalar::Fused) numbers.
@@ -26,6 +30,20 @@ pub(super) mod sealed {
         fn fuse(self) -> Self::Fused;
         /// The item of the numbers themselves.
         fn unfuse(fused: Self::Fused) -> Self;
+    }
+
+    impl<T: Scalar> Fusible for Same<T> {
+        type Fused = Same<Fused<T>>;
+
+        #[inline(always)]
+        fn fuse(self) -> Self::Fused {
+            Same(Fused(self.0))
+        }
+
+        #[inline(always)]
+        fn unfuse(fused: Self::Fused) -> Self {
+            Same(fused.0.0)
+        }
     }
 
     impl<A: Fusible, B: Fusible> Fusible for (A, B) {

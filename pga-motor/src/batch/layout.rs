@@ -2,6 +2,7 @@
 
 use super::blocks::{Block, Blocks, LANES};
 use super::lanes::{Lanewise, sealed::Fusible};
+use crate::Scalar;
 
 /// Items to be read, a block of [`LANES`] at a time.
 pub(super) trait Source {
@@ -167,5 +168,32 @@ impl<A: Lanes, B: Lanes> Lanes for (A, B) {
     #[inline(always)]
     fn get(&self, lane: usize) -> Self::Item {
         (self.0.get(lane), self.1.get(lane))
+    }
+}
+
+/// One number for all items.
+#[derive(Clone, Copy)]
+pub struct Same<T>(pub(super) T);
+
+impl<T: Scalar> Source for Same<T> {
+    type Item = Self;
+    type Block = Self;
+
+    fn len(&self) -> usize {
+        usize::MAX
+    }
+
+    #[inline(always)]
+    fn blocks(self) -> impl Iterator<Item = Self> {
+        core::iter::repeat(self)
+    }
+}
+
+impl<T: Scalar> Lanes for Same<T> {
+    type Item = Self;
+
+    #[inline(always)]
+    fn get(&self, _lane: usize) -> Self {
+        *self
     }
 }
