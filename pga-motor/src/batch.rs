@@ -31,8 +31,14 @@ mod work;
 pub use crate::instructions::InstructionSet;
 #[cfg(feature = "std")]
 pub use crate::instructions::with_instruction_set;
+pub(crate) use between::{Pair, Travel, Way, choose};
 pub use blocks::{Blocks, Iter, LANES};
 pub use lanes::Lanewise;
+pub(crate) use motors::product;
+pub(crate) use work::{LaneCount, OnBlock};
+
+/// Motors side by side.
+pub(crate) type MotorBlock<T> = blocks::Block<crate::Motor<T>>;
 
 #[cfg(test)]
 mod tests;

@@ -92,7 +92,7 @@ pub mod f32 {
         f32: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
         OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
-    crate::precision::aliases! { f32 in skeleton: Aim Clip Joint Pose Retarget RootMotion ScrewCache Skeleton SkeletonInstance TwoBone }
+    crate::precision::aliases! { f32 in skeleton: Aim Clip Joint Pose Poses Retarget RootMotion ScrewCache Skeleton SkeletonInstance TwoBone }
     crate::precision::aliases! { f32 in game: MotorGame }
 }
 
@@ -103,6 +103,6 @@ pub mod f64 {
         f64: Motor EvenMultivector Rotor Translator Line UnitLine Plane UnitPlane Point Direction ProjectivePoint
         OddMultivector Pseudoscalar Matrix DirectionMatrix LineMatrix PlaneMatrix Screw ScrewPath
     }
-    crate::precision::aliases! { f64 in skeleton: Aim Clip Joint Pose Retarget RootMotion ScrewCache Skeleton SkeletonInstance TwoBone }
+    crate::precision::aliases! { f64 in skeleton: Aim Clip Joint Pose Poses Retarget RootMotion ScrewCache Skeleton SkeletonInstance TwoBone }
     crate::precision::aliases! { f64 in game: MotorGame }
 }

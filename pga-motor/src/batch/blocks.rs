@@ -11,7 +11,27 @@ pub const LANES: usize = 16;
 /// A block, aligned to the widest vector registers and to lines of the cache.
 #[derive(Clone, Copy)]
 #[repr(C, align(64))]
-pub(super) struct Block<E: Lanewise>(pub(super) E::Lanes<LANES>);
+pub(crate) struct Block<E: Lanewise>(pub(super) E::Lanes<LANES>);
+
+impl<E: Lanewise> Block<E> {
+    /// The same item in all lanes.
+    #[inline(always)]
+    pub(crate) fn of(item: E) -> Self {
+        Self(item.splat())
+    }
+
+    /// The item in a lane, which is below [`LANES`].
+    #[inline(always)]
+    pub(crate) fn get(&self, lane: usize) -> E {
+        E::get(&self.0, lane)
+    }
+
+    /// Puts an item into a lane, which is below [`LANES`].
+    #[inline(always)]
+    pub(crate) fn put(&mut self, lane: usize, item: E) {
+        item.put(&mut self.0, lane);
+    }
+}
 
 /// A list of items, [`LANES`] of them side by side: for each coefficient first those of the first items, then those of the next ones.
 ///

@@ -173,7 +173,7 @@ impl<A: Lanes, B: Lanes> Lanes for (A, B) {
 
 /// One number for all items.
 #[derive(Clone, Copy)]
-pub struct Same<T>(pub(super) T);
+pub(crate) struct Same<T>(pub(super) T);
 
 impl<T: Scalar> Source for Same<T> {
     type Item = Self;

@@ -13,7 +13,7 @@ impl<T: Scalar> Blocks<Motor<T>> {
     /// # Errors
     /// Lists of different lengths.
     pub fn mul_into(&self, others: &Self, products: &mut Self) -> Result<(), LengthMismatch> {
-        zip(self, others, products, product, product)
+        zip(self, others, products, product_of_pair, product_of_pair)
     }
 
     /// Writes where each motor carries the point at the same index.
@@ -159,8 +159,13 @@ fn log_f64<S: Real>() -> impl OnBlock<Motor<S>, Line<S>> {
 }
 
 #[inline(always)]
-fn product<S: Scalar>((a, b): (Motor<S>, Motor<S>)) -> Motor<S> {
+pub(crate) fn product<S: Scalar>(a: Motor<S>, b: Motor<S>) -> Motor<S> {
     kernels::motor_mul_motor_fma(a, b)
+}
+
+#[inline(always)]
+fn product_of_pair<S: Scalar>((a, b): (Motor<S>, Motor<S>)) -> Motor<S> {
+    product(a, b)
 }
 
 #[inline(always)]

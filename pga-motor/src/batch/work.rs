@@ -13,24 +13,24 @@ use crate::instructions::{Work, dispatch};
 use crate::slices::check_lengths;
 
 /// What is done with a block, lane by lane, in one loop or in several.
-pub(super) trait OnBlock<A, R> {
+pub(crate) trait OnBlock<A, R> {
     fn run(&self, lanes: LaneCount, item: impl Fn(usize) -> A, put: impl FnMut(usize, R));
 }
 
 /// [`LANES`], which the compiler does not know to be that many: it would write a short loop out, lane after lane, and then often find no
 /// vectors in it. A loop it makes vector code of.
 #[derive(Clone, Copy)]
-pub(super) struct LaneCount(usize);
+pub(crate) struct LaneCount(usize);
 
 impl LaneCount {
     #[inline(always)]
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self(core::hint::black_box(LANES))
     }
 
     /// Within a block, and in whole registers, as the compiler can see.
     #[inline(always)]
-    pub(super) fn get(self) -> usize {
+    pub(crate) fn get(self) -> usize {
         self.0.min(LANES) & !(LANES - 1)
     }
 }

@@ -9,6 +9,7 @@ use alloc::vec::Vec;
 
 pub use cache::ScrewCache;
 pub use error::ClipError;
+pub(super) use sample::joint_between;
 pub use sample::{Interpolation, KeySpan, Wrap};
 
 use super::rigidity::Rigidity;

@@ -26,7 +26,7 @@
 //! | [`TwoBone::solve`], [`Aim::solve`] | hands and feet, heads and eyes where they should be |
 //! | [`skinning_motors`], [`skin_points`], [`skin_normals`] | a mesh that follows |
 //!
-//! [`animate_sample`] does the first and the fifth for a [`SkeletonInstance`], and puts its joints into the world. Files come from
+//! [`Poses`] are those of many characters, side by side. [`animate_sample`] does the first and the fifth for a [`SkeletonInstance`], and puts its joints into the world. Files come from
 //! [`import`](crate::import).
 //!
 //! ```
@@ -63,6 +63,7 @@ mod order;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod pose;
+mod poses;
 mod retarget;
 mod rigidity;
 mod root_motion;
@@ -79,6 +80,7 @@ pub use kinematics::local_to_model;
 #[cfg(feature = "rayon")]
 pub use parallel::{Character, CrowdError, animate_characters};
 pub use pose::Pose;
+pub use poses::{Poses, PosesError};
 pub use retarget::{Retarget, Unmatched};
 pub use root_motion::{RootMotion, RootMotionError, RootMotionPart};
 pub use skinning::{Influences, SkinError, skin_normals, skin_normals_linear, skin_points, skin_points_linear};

@@ -165,7 +165,7 @@ impl<T: Real> Clip<T> {
 
 /// A joint between two keys, where one part of it may hold.
 #[inline]
-pub(super) fn joint_between<T: Real>(
+pub(in crate::skeleton) fn joint_between<T: Real>(
     modes: JointModes,
     way: impl Fn(Motor<T>, Motor<T>, T) -> Motor<T>,
     a: Motor<T>,
