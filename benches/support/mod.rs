@@ -4,6 +4,7 @@
 //! something near ours comes with the results that should agree, which are then the first of ours: see [`interpolation`].
 
 mod compose;
+mod crowds;
 mod elements;
 mod exponentials;
 mod interpolation;
@@ -35,7 +36,6 @@ pub(crate) struct Contender {
 
 /// All of them, in the order of the table.
 pub(crate) fn all() -> impl Iterator<Item = Workload> {
-    // Crowds, many skeletons in lanes, are to follow kinematics and sampling in a file of their own.
     [
         compose::WORKLOADS,
         points::WORKLOADS,
@@ -44,6 +44,7 @@ pub(crate) fn all() -> impl Iterator<Item = Workload> {
         interpolation::WORKLOADS,
         kinematics::WORKLOADS,
         sampling::WORKLOADS,
+        crowds::WORKLOADS,
     ]
     .into_iter()
     .flatten()

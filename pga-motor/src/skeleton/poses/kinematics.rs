@@ -16,6 +16,19 @@ pub(super) fn into<T: Scalar>(joints: &[Joint<T>], locals: &[MotorBlock<T>], mod
     dispatch(Into { joints, locals, models });
 }
 
+/// The model motors of a joint. In a block of its own, which the compiler sees to be apart from the others.
+#[inline(always)]
+fn carry<T: Scalar>(
+    lanes: LaneCount,
+    product: impl Fn(Motor<T>, Motor<T>) -> Motor<T>,
+    parent: MotorBlock<T>,
+    model: &mut MotorBlock<T>,
+) {
+    for lane in 0..lanes.get() {
+        model.put(lane, product(parent.get(lane), model.get(lane)));
+    }
+}
+
 struct InPlace<'a, T: Scalar> {
     joints: &'a [Joint<T>],
     blocks: &'a mut [MotorBlock<T>],
@@ -23,15 +36,13 @@ struct InPlace<'a, T: Scalar> {
 
 impl<T: Scalar> InPlace<'_, T> {
     #[inline(always)]
-    fn run_with(self, product: impl Fn(Motor<T>, Motor<T>) -> Motor<T>) {
+    fn run_with(self, product: impl Fn(Motor<T>, Motor<T>) -> Motor<T> + Copy) {
         let lanes = LaneCount::new();
         for group in self.blocks.chunks_exact_mut(self.joints.len()) {
             for (i, joint) in self.joints.iter().enumerate().filter(|(_, joint)| !joint.is_root()) {
                 let (above, below) = group.split_at_mut(i);
-                let (parent, model) = (&above[i - usize::from(joint.parent_offset)], &mut below[0]);
-                for lane in 0..lanes.get() {
-                    model.put(lane, product(parent.get(lane), model.get(lane)));
-                }
+                let parent = &above[i - usize::from(joint.parent_offset)];
+                carry(lanes, product, *parent, &mut below[0]);
             }
         }
     }
@@ -57,18 +68,15 @@ struct Into<'a, T: Scalar> {
 
 impl<T: Scalar> Into<'_, T> {
     #[inline(always)]
-    fn run_with(self, product: impl Fn(Motor<T>, Motor<T>) -> Motor<T>) {
+    fn run_with(self, product: impl Fn(Motor<T>, Motor<T>) -> Motor<T> + Copy) {
         let (lanes, joints) = (LaneCount::new(), self.joints.len());
         for (locals, models) in self.locals.chunks_exact(joints).zip(self.models.chunks_exact_mut(joints)) {
             for (i, (joint, local)) in self.joints.iter().zip(locals).enumerate() {
                 let (above, below) = models.split_at_mut(i);
-                if joint.is_root() {
-                    below[0] = *local;
-                    continue;
-                }
-                let parent = &above[i - usize::from(joint.parent_offset)];
-                for lane in 0..lanes.get() {
-                    below[0].put(lane, product(parent.get(lane), local.get(lane)));
+                below[0] = *local;
+                if !joint.is_root() {
+                    let parent = above[i - usize::from(joint.parent_offset)];
+                    carry(lanes, product, parent, &mut below[0]);
                 }
             }
         }
