@@ -213,6 +213,7 @@ mod pga3d {
         use pga_motor::scalar;
 
         dispatch! {
+            fn motor_mul_motor_packed(a: Motor, b: Motor) -> Motor;
             fn rotor_transform_line_fma(r: Rotor, l: Line) -> Line;
             fn line_exp_f32(l: Line) -> Motor;
             fn line_exp_f64(l: Line) -> Motor;

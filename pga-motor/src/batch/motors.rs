@@ -7,7 +7,8 @@ use crate::{Direction, LengthMismatch, Line, Motor, Plane, Point, Real, Scalar, 
 
 /// Motors, pair by pair, and on points.
 ///
-/// In each of these nothing is written where the lengths differ, and results are those of single motors, bit for bit.
+/// In each of these nothing is written where the lengths differ, and results are those of the kernels, bit for bit: of
+/// [`kernels::motor_mul_motor`], which operators add up in another order for `f32`, and of [`kernels::motor_transform_point`].
 impl<T: Scalar> Blocks<Motor<T>> {
     /// Writes the product of each motor with the one at the same index of `others`, which acts first.
     ///

@@ -69,7 +69,8 @@ where
             let from = if starts_at_a { a } else { b };
             let mut steps = *a;
             for lane in 0..LANES {
-                (Motor::get(&a.0, lane).reverse() * Motor::get(&b.0, lane)).short_way().put(&mut steps.0, lane);
+                let step = kernels::motor_mul_motor(Motor::get(&a.0, lane).reverse(), Motor::get(&b.0, lane));
+                step.short_way().put(&mut steps.0, lane);
             }
             let mut failures = [0_u32; LANES];
             for (lane, failure) in failures.iter_mut().enumerate() {
@@ -83,7 +84,8 @@ where
                 (self.exp)(Line::get(&generators, lane)).put(&mut steps.0, lane);
             }
             for lane in 0..LANES {
-                (Motor::get(&from.0, lane) * Motor::get(&steps.0, lane)).put(&mut results.0, lane);
+                let motor = kernels::motor_mul_motor(Motor::get(&from.0, lane), Motor::get(&steps.0, lane));
+                motor.put(&mut results.0, lane);
             }
             if failures.iter().fold(0, |any, failure| any | failure) != 0 {
                 for (lane, _) in failures.iter().enumerate().filter(|(_, failure)| **failure != 0) {
