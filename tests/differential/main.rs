@@ -108,7 +108,13 @@ mod parts {
 
     #[test]
     fn packed_kernels_are_the_kernel() {
-        equal! { motor_mul_motor, |a, b| motor_mul_motor_packed(a, b); }
+        equal! {
+            motor_mul_motor, |a, b| motor_mul_motor_packed(a, b);
+            motor_mul_rotor, |a, b| motor_mul_rotor_packed(a, b);
+            rotor_mul_motor, |a, b| rotor_mul_motor_packed(a, b);
+            rotor_mul_rotor, |a, b| rotor_mul_rotor_packed(a, b);
+            even_mul_even, |a, b| even_mul_even_packed(a, b);
+        }
     }
 
     #[test]
