@@ -3012,9 +3012,9 @@ pub mod kernels {
     ///
     /// Cost: 48 mul + 40 add. Proof: exact.
     ///
-    /// Packed: 12 mul + 10 add + 14 shuffle + 2 negate on four lanes, after 4 loads.
+    /// Packed: 12 mul + 10 add + 14 shuffle + 3 negate on four lanes, after 4 loads.
     ///
-    /// Rounding error: at most `6 u` in the Euclidean part, `(8 |a|_0 + 8 |b|_0) u` in the ideal part.
+    /// Rounding error: at most `6.8 u` in the Euclidean part, `(8 |a|_0 + 8 |b|_0) u` in the ideal part.
     #[inline]
     pub fn motor_mul_motor_packed<T: Scalar>(a: Motor<T>, b: Motor<T>) -> Motor<T> {
         let v0 = T::Four::new([a.s, a.e23, a.e31, a.e12]);
@@ -3029,47 +3029,48 @@ pub mod kernels {
         let v9 = v0.shuffle::<0b00_00_00_11>();
         let v10 = v2.shuffle::<0b11_10_01_11>();
         let v11 = v0 * v4;
-        let v12 = v7 * v8;
-        let v13 = v11 - v12;
-        let v14 = v5 * v6;
-        let v15 = v9 * v10;
-        let v16 = v14 + v15;
-        let v17 = v16.negate::<0b0001>();
-        let v18 = v13 + v17;
-        let v19 = v3.shuffle::<0b10_00_10_00>();
-        let v20 = v0 * v19;
-        let v21 = v3.shuffle::<0b11_10_01_01>();
-        let v22 = v9 * v21;
-        let v23 = v20 + v22;
-        let v24 = v1 * v4;
-        let v25 = v1.shuffle::<0b01_01_00_10>();
-        let v26 = v25 * v8;
-        let v27 = v24 + v26;
-        let v28 = v23 + v27;
-        let v29 = v3.shuffle::<0b01_01_00_11>();
-        let v30 = v5 * v29;
-        let v31 = v3.shuffle::<0b00_11_11_10>();
-        let v32 = v7 * v31;
-        let v33 = v30 + v32;
-        let v34 = v1.shuffle::<0b10_00_10_01>();
-        let v35 = v34 * v10;
-        let v36 = v1.shuffle::<0b00_11_11_11>();
-        let v37 = v36 * v6;
-        let v38 = v35 + v37;
-        let v39 = v33 + v38;
-        let v40 = v39.negate::<0b0111>();
-        let v41 = v28 + v40;
-        let v18 = v18.to_array();
-        let v41 = v41.to_array();
+        let v12 = v5 * v6;
+        let v13 = v12.negate::<0b0001>();
+        let v14 = v11 + v13;
+        let v15 = v7 * v8;
+        let v16 = v14 - v15;
+        let v17 = v9 * v10;
+        let v18 = v17.negate::<0b0001>();
+        let v19 = v16 + v18;
+        let v20 = v3.shuffle::<0b10_00_10_00>();
+        let v21 = v0 * v20;
+        let v22 = v3.shuffle::<0b11_10_01_01>();
+        let v23 = v9 * v22;
+        let v24 = v21 + v23;
+        let v25 = v1 * v4;
+        let v26 = v1.shuffle::<0b01_01_00_10>();
+        let v27 = v26 * v8;
+        let v28 = v25 + v27;
+        let v29 = v24 + v28;
+        let v30 = v3.shuffle::<0b01_01_00_11>();
+        let v31 = v5 * v30;
+        let v32 = v3.shuffle::<0b00_11_11_10>();
+        let v33 = v7 * v32;
+        let v34 = v31 + v33;
+        let v35 = v1.shuffle::<0b10_00_10_01>();
+        let v36 = v35 * v10;
+        let v37 = v1.shuffle::<0b00_11_11_11>();
+        let v38 = v37 * v6;
+        let v39 = v36 + v38;
+        let v40 = v34 + v39;
+        let v41 = v40.negate::<0b0111>();
+        let v42 = v29 + v41;
+        let v19 = v19.to_array();
+        let v42 = v42.to_array();
         Motor {
-            s: v18[0],
-            e23: v18[1],
-            e31: v18[2],
-            e12: v18[3],
-            e01: v41[0],
-            e02: v41[1],
-            e03: v41[2],
-            e0123: v41[3],
+            s: v19[0],
+            e23: v19[1],
+            e31: v19[2],
+            e12: v19[3],
+            e01: v42[0],
+            e02: v42[1],
+            e03: v42[2],
+            e0123: v42[3],
         }
     }
     /// `a * b`
@@ -3098,9 +3099,9 @@ pub mod kernels {
     ///
     /// Cost: 32 mul + 24 add. Proof: exact.
     ///
-    /// Packed: 8 mul + 6 add + 10 shuffle + 2 negate on four lanes, after 3 loads.
+    /// Packed: 8 mul + 6 add + 10 shuffle + 3 negate on four lanes, after 3 loads.
     ///
-    /// Rounding error: at most `6 u` in the Euclidean part, `6 |a|_0 u` in the ideal part.
+    /// Rounding error: at most `6.8 u` in the Euclidean part, `6 |a|_0 u` in the ideal part.
     #[inline]
     pub fn motor_mul_rotor_packed<T: Scalar>(a: Motor<T>, b: Rotor<T>) -> Motor<T> {
         let v0 = T::Four::new([a.s, a.e23, a.e31, a.e12]);
@@ -3111,38 +3112,39 @@ pub mod kernels {
         let v5 = v2.shuffle::<0b10_01_11_10>();
         let v6 = v2.shuffle::<0b11_10_01_11>();
         let v7 = v0 * v3;
-        let v8 = v0.shuffle::<0b01_11_10_10>();
-        let v9 = v8 * v5;
-        let v10 = v7 - v9;
-        let v11 = v0.shuffle::<0b10_01_11_01>();
-        let v12 = v11 * v4;
-        let v13 = v0.shuffle::<0b00_00_00_11>();
-        let v14 = v13 * v6;
-        let v15 = v12 + v14;
-        let v16 = v15.negate::<0b0001>();
-        let v17 = v10 + v16;
-        let v18 = v1 * v3;
-        let v19 = v1.shuffle::<0b01_01_00_10>();
-        let v20 = v19 * v5;
-        let v21 = v18 + v20;
-        let v22 = v1.shuffle::<0b10_00_10_01>();
-        let v23 = v22 * v6;
-        let v24 = v1.shuffle::<0b00_11_11_11>();
-        let v25 = v24 * v4;
-        let v26 = v23 + v25;
-        let v27 = v26.negate::<0b0111>();
-        let v28 = v21 + v27;
-        let v17 = v17.to_array();
-        let v28 = v28.to_array();
+        let v8 = v0.shuffle::<0b10_01_11_01>();
+        let v9 = v8 * v4;
+        let v10 = v9.negate::<0b0001>();
+        let v11 = v7 + v10;
+        let v12 = v0.shuffle::<0b01_11_10_10>();
+        let v13 = v12 * v5;
+        let v14 = v11 - v13;
+        let v15 = v0.shuffle::<0b00_00_00_11>();
+        let v16 = v15 * v6;
+        let v17 = v16.negate::<0b0001>();
+        let v18 = v14 + v17;
+        let v19 = v1 * v3;
+        let v20 = v1.shuffle::<0b01_01_00_10>();
+        let v21 = v20 * v5;
+        let v22 = v19 + v21;
+        let v23 = v1.shuffle::<0b10_00_10_01>();
+        let v24 = v23 * v6;
+        let v25 = v1.shuffle::<0b00_11_11_11>();
+        let v26 = v25 * v4;
+        let v27 = v24 + v26;
+        let v28 = v27.negate::<0b0111>();
+        let v29 = v22 + v28;
+        let v18 = v18.to_array();
+        let v29 = v29.to_array();
         Motor {
-            s: v17[0],
-            e23: v17[1],
-            e31: v17[2],
-            e12: v17[3],
-            e01: v28[0],
-            e02: v28[1],
-            e03: v28[2],
-            e0123: v28[3],
+            s: v18[0],
+            e23: v18[1],
+            e31: v18[2],
+            e12: v18[3],
+            e01: v29[0],
+            e02: v29[1],
+            e03: v29[2],
+            e0123: v29[3],
         }
     }
     /// `a * b`
@@ -3191,9 +3193,9 @@ pub mod kernels {
     ///
     /// Cost: 32 mul + 24 add. Proof: exact.
     ///
-    /// Packed: 8 mul + 6 add + 10 shuffle + 2 negate on four lanes, after 3 loads.
+    /// Packed: 8 mul + 6 add + 10 shuffle + 3 negate on four lanes, after 3 loads.
     ///
-    /// Rounding error: at most `6 u` in the Euclidean part, `6 |b|_0 u` in the ideal part.
+    /// Rounding error: at most `6.8 u` in the Euclidean part, `6 |b|_0 u` in the ideal part.
     #[inline]
     pub fn rotor_mul_motor_packed<T: Scalar>(a: Rotor<T>, b: Motor<T>) -> Motor<T> {
         let v0 = T::Four::new([a.s, a.e23, a.e31, a.e12]);
@@ -3204,38 +3206,39 @@ pub mod kernels {
         let v5 = v0.shuffle::<0b01_11_10_10>();
         let v6 = v0.shuffle::<0b11_10_01_11>();
         let v7 = v3 * v1;
-        let v8 = v1.shuffle::<0b10_01_11_10>();
-        let v9 = v5 * v8;
-        let v10 = v7 - v9;
-        let v11 = v1.shuffle::<0b01_11_10_01>();
-        let v12 = v4 * v11;
-        let v13 = v1.shuffle::<0b00_00_00_11>();
-        let v14 = v6 * v13;
-        let v15 = v12 + v14;
-        let v16 = v15.negate::<0b0001>();
-        let v17 = v10 + v16;
-        let v18 = v3 * v2;
-        let v19 = v2.shuffle::<0b10_00_10_01>();
-        let v20 = v6 * v19;
-        let v21 = v18 + v20;
-        let v22 = v2.shuffle::<0b01_01_00_11>();
-        let v23 = v4 * v22;
-        let v24 = v2.shuffle::<0b00_11_11_10>();
-        let v25 = v5 * v24;
-        let v26 = v23 + v25;
-        let v27 = v26.negate::<0b0111>();
-        let v28 = v21 + v27;
-        let v17 = v17.to_array();
-        let v28 = v28.to_array();
+        let v8 = v1.shuffle::<0b01_11_10_01>();
+        let v9 = v4 * v8;
+        let v10 = v9.negate::<0b0001>();
+        let v11 = v7 + v10;
+        let v12 = v1.shuffle::<0b10_01_11_10>();
+        let v13 = v5 * v12;
+        let v14 = v11 - v13;
+        let v15 = v1.shuffle::<0b00_00_00_11>();
+        let v16 = v6 * v15;
+        let v17 = v16.negate::<0b0001>();
+        let v18 = v14 + v17;
+        let v19 = v3 * v2;
+        let v20 = v2.shuffle::<0b10_00_10_01>();
+        let v21 = v6 * v20;
+        let v22 = v19 + v21;
+        let v23 = v2.shuffle::<0b01_01_00_11>();
+        let v24 = v4 * v23;
+        let v25 = v2.shuffle::<0b00_11_11_10>();
+        let v26 = v5 * v25;
+        let v27 = v24 + v26;
+        let v28 = v27.negate::<0b0111>();
+        let v29 = v22 + v28;
+        let v18 = v18.to_array();
+        let v29 = v29.to_array();
         Motor {
-            s: v17[0],
-            e23: v17[1],
-            e31: v17[2],
-            e12: v17[3],
-            e01: v28[0],
-            e02: v28[1],
-            e03: v28[2],
-            e0123: v28[3],
+            s: v18[0],
+            e23: v18[1],
+            e31: v18[2],
+            e12: v18[3],
+            e01: v29[0],
+            e02: v29[1],
+            e03: v29[2],
+            e0123: v29[3],
         }
     }
     /// `a * b`
@@ -3260,34 +3263,35 @@ pub mod kernels {
     ///
     /// Cost: 16 mul + 12 add. Proof: exact.
     ///
-    /// Packed: 4 mul + 3 add + 7 shuffle + 1 negate on four lanes, after 2 loads.
+    /// Packed: 4 mul + 3 add + 7 shuffle + 2 negate on four lanes, after 2 loads.
     ///
-    /// Rounding error: at most `6 u`.
+    /// Rounding error: at most `6.8 u`.
     #[inline]
     pub fn rotor_mul_rotor_packed<T: Scalar>(a: Rotor<T>, b: Rotor<T>) -> Rotor<T> {
         let v0 = T::Four::new([a.s, a.e23, a.e31, a.e12]);
         let v1 = T::Four::new([b.s, b.e23, b.e31, b.e12]);
         let v2 = v1.shuffle::<0b00_00_00_00>();
         let v3 = v0 * v2;
-        let v4 = v0.shuffle::<0b01_11_10_10>();
-        let v5 = v1.shuffle::<0b10_01_11_10>();
+        let v4 = v0.shuffle::<0b10_01_11_01>();
+        let v5 = v1.shuffle::<0b01_11_10_01>();
         let v6 = v4 * v5;
-        let v7 = v3 - v6;
-        let v8 = v0.shuffle::<0b10_01_11_01>();
-        let v9 = v1.shuffle::<0b01_11_10_01>();
-        let v10 = v8 * v9;
-        let v11 = v0.shuffle::<0b00_00_00_11>();
-        let v12 = v1.shuffle::<0b11_10_01_11>();
-        let v13 = v11 * v12;
-        let v14 = v10 + v13;
-        let v15 = v14.negate::<0b0001>();
-        let v16 = v7 + v15;
-        let v16 = v16.to_array();
+        let v7 = v6.negate::<0b0001>();
+        let v8 = v3 + v7;
+        let v9 = v0.shuffle::<0b01_11_10_10>();
+        let v10 = v1.shuffle::<0b10_01_11_10>();
+        let v11 = v9 * v10;
+        let v12 = v8 - v11;
+        let v13 = v0.shuffle::<0b00_00_00_11>();
+        let v14 = v1.shuffle::<0b11_10_01_11>();
+        let v15 = v13 * v14;
+        let v16 = v15.negate::<0b0001>();
+        let v17 = v12 + v16;
+        let v17 = v17.to_array();
         Rotor {
-            s: v16[0],
-            e23: v16[1],
-            e31: v16[2],
-            e12: v16[3],
+            s: v17[0],
+            e23: v17[1],
+            e31: v17[2],
+            e12: v17[3],
         }
     }
     /// `a * b`
@@ -3395,9 +3399,9 @@ pub mod kernels {
     ///
     /// Cost: 48 mul + 40 add. Proof: exact.
     ///
-    /// Packed: 12 mul + 10 add + 14 shuffle + 2 negate on four lanes, after 4 loads.
+    /// Packed: 12 mul + 10 add + 14 shuffle + 3 negate on four lanes, after 4 loads.
     ///
-    /// Rounding error: at most `6 |a| |b| u` in the Euclidean part, `(8 |a| |b|_0 + 8 |a|_0 |b|) u` in the ideal part.
+    /// Rounding error: at most `6.8 |a| |b| u` in the Euclidean part, `(8 |a| |b|_0 + 8 |a|_0 |b|) u` in the ideal part.
     #[inline]
     pub fn even_mul_even_packed<T: Scalar>(
         a: EvenMultivector<T>,
@@ -3415,47 +3419,48 @@ pub mod kernels {
         let v9 = v0.shuffle::<0b00_00_00_11>();
         let v10 = v2.shuffle::<0b11_10_01_11>();
         let v11 = v0 * v4;
-        let v12 = v7 * v8;
-        let v13 = v11 - v12;
-        let v14 = v5 * v6;
-        let v15 = v9 * v10;
-        let v16 = v14 + v15;
-        let v17 = v16.negate::<0b0001>();
-        let v18 = v13 + v17;
-        let v19 = v3.shuffle::<0b10_00_10_00>();
-        let v20 = v0 * v19;
-        let v21 = v3.shuffle::<0b11_10_01_01>();
-        let v22 = v9 * v21;
-        let v23 = v20 + v22;
-        let v24 = v1 * v4;
-        let v25 = v1.shuffle::<0b01_01_00_10>();
-        let v26 = v25 * v8;
-        let v27 = v24 + v26;
-        let v28 = v23 + v27;
-        let v29 = v3.shuffle::<0b01_01_00_11>();
-        let v30 = v5 * v29;
-        let v31 = v3.shuffle::<0b00_11_11_10>();
-        let v32 = v7 * v31;
-        let v33 = v30 + v32;
-        let v34 = v1.shuffle::<0b10_00_10_01>();
-        let v35 = v34 * v10;
-        let v36 = v1.shuffle::<0b00_11_11_11>();
-        let v37 = v36 * v6;
-        let v38 = v35 + v37;
-        let v39 = v33 + v38;
-        let v40 = v39.negate::<0b0111>();
-        let v41 = v28 + v40;
-        let v18 = v18.to_array();
-        let v41 = v41.to_array();
+        let v12 = v5 * v6;
+        let v13 = v12.negate::<0b0001>();
+        let v14 = v11 + v13;
+        let v15 = v7 * v8;
+        let v16 = v14 - v15;
+        let v17 = v9 * v10;
+        let v18 = v17.negate::<0b0001>();
+        let v19 = v16 + v18;
+        let v20 = v3.shuffle::<0b10_00_10_00>();
+        let v21 = v0 * v20;
+        let v22 = v3.shuffle::<0b11_10_01_01>();
+        let v23 = v9 * v22;
+        let v24 = v21 + v23;
+        let v25 = v1 * v4;
+        let v26 = v1.shuffle::<0b01_01_00_10>();
+        let v27 = v26 * v8;
+        let v28 = v25 + v27;
+        let v29 = v24 + v28;
+        let v30 = v3.shuffle::<0b01_01_00_11>();
+        let v31 = v5 * v30;
+        let v32 = v3.shuffle::<0b00_11_11_10>();
+        let v33 = v7 * v32;
+        let v34 = v31 + v33;
+        let v35 = v1.shuffle::<0b10_00_10_01>();
+        let v36 = v35 * v10;
+        let v37 = v1.shuffle::<0b00_11_11_11>();
+        let v38 = v37 * v6;
+        let v39 = v36 + v38;
+        let v40 = v34 + v39;
+        let v41 = v40.negate::<0b0111>();
+        let v42 = v29 + v41;
+        let v19 = v19.to_array();
+        let v42 = v42.to_array();
         EvenMultivector {
-            s: v18[0],
-            e23: v18[1],
-            e31: v18[2],
-            e12: v18[3],
-            e01: v41[0],
-            e02: v41[1],
-            e03: v41[2],
-            e0123: v41[3],
+            s: v19[0],
+            e23: v19[1],
+            e31: v19[2],
+            e12: v19[3],
+            e01: v42[0],
+            e02: v42[1],
+            e03: v42[2],
+            e0123: v42[3],
         }
     }
     /// `a * b`

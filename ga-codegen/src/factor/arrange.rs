@@ -5,7 +5,9 @@
 //! of each factor adds to a group of the result is a *block*: for each of the four rows the same number of signed products.
 //! Written below each other, one product of each row makes a column, a product of lanes; the rows' products can be put
 //! into columns in any order, and a column is computed as `a[..] * b[..]`. Columns whose signs differ alike from row to row
-//! are added up first and negated at once.
+//! are added up first and negated at once. But those of the first group of the result are added up one after the other, as its
+//! first row stands in the definition: so the scalar part of a product, whose sign decides which way is short, is rounded as by
+//! the scalar kernel.
 //!
 //! All orders of each block are known. Every order of the first block is tried, the others are chosen one after the other,
 //! each the cheapest beside those before, and then over again, beside all others, while that helps.
@@ -280,6 +282,11 @@ impl Builder {
         }
     }
 
+    /// A sum of signed values, one after the other, up to its sign; whether it is the negative.
+    fn running_sum(&mut self, terms: Vec<(bool, Value)>) -> Option<(bool, Value)> {
+        terms.into_iter().reduce(|total, term| self.sum(vec![total, term]).unwrap_or(total))
+    }
+
     /// A sum of signed values, pair by pair, up to its sign; whether it is the negative.
     fn sum(&mut self, mut terms: Vec<(bool, Value)>) -> Option<(bool, Value)> {
         while terms.len() > 1 {
@@ -307,7 +314,8 @@ fn program(specification: &Specification, blocks: &[Block], chosen: &[&Arrangeme
     let mut outputs = Vec::new();
     for output in 0..specification.outputs.len() / LANES {
         // The columns of all blocks by their pattern of signs.
-        let mut columns: BTreeMap<usize, Vec<(bool, Value)>> = BTreeMap::new();
+        let mut columns: BTreeMap<(usize, usize), Vec<(bool, Value)>> = BTreeMap::new();
+        let mut place = 0;
         for (block, arrangement) in blocks.iter().zip(chosen).filter(|(block, _)| block.output == output) {
             for &column in &arrangement.columns {
                 let terms = block.column(column);
@@ -315,11 +323,12 @@ fn program(specification: &Specification, blocks: &[Block], chosen: &[&Arrangeme
                     builder.shuffle(loads[factor][block.groups[factor]], terms.map(|term| term.lanes[factor]))
                 });
                 let product = builder.push(PackedOperation::Mul(a, b));
-                columns.entry(sign_pattern(terms)).or_default().push((terms[LANES - 1].minus, product));
+                place += usize::from(output == 0);
+                columns.entry((place, sign_pattern(terms))).or_default().push((terms[LANES - 1].minus, product));
             }
         }
         let mut sums = Vec::new();
-        for (pattern, terms) in columns {
+        for ((_, pattern), terms) in columns {
             let Some((minus, sum)) = builder.sum(terms) else { continue };
             let negated = std::array::from_fn(|row| ((pattern >> row) & 1 == 1) != minus);
             sums.push(match pattern {
@@ -327,7 +336,8 @@ fn program(specification: &Specification, blocks: &[Block], chosen: &[&Arrangeme
                 _ => (false, builder.push(PackedOperation::Negate(sum, negated))),
             });
         }
-        let Some((minus, mut total)) = builder.sum(sums) else { continue };
+        let sum = if output == 0 { builder.running_sum(sums) } else { builder.sum(sums) };
+        let Some((minus, mut total)) = sum else { continue };
         if minus {
             total = builder.push(PackedOperation::Negate(total, [true; LANES]));
         }

@@ -153,6 +153,8 @@ fn operators_call_what_is_fast() {
     let b = Motor::new(0.7_f32, -0.3, 0.17, 0.19, 2.1, -0.9, 0.51, 0.23);
     let (packed, scalar) = (kernels::motor_mul_motor_packed(a, b), kernels::motor_mul_motor(a, b));
     assert_ne!(packed, scalar, "numbers that tell them apart");
+    // Its sign decides which way is short, in other kernels too.
+    assert_eq!(packed.s, scalar.s);
     assert_eq!(a * b, if <f32 as Scalar>::Four::IS_FAST { packed } else { scalar });
     assert_eq!(cfg!(target_arch = "x86_64"), <f32 as Scalar>::Four::IS_FAST);
     let (a, b) = (a.map(f64::from), b.map(f64::from));
