@@ -156,7 +156,7 @@ fn check_recipe(definition: &mut Definition, recipe: Recipe, errors: &mut Errors
 
 fn check_packed_recipe(definition: &mut Definition, recipe: &PackedRecipe, errors: &mut Errors) {
     let name = &recipe.kernel;
-    if !definition.kernel(name).is_some_and(|kernel| kernel.packed.is_some()) {
+    if definition.kernel(name).is_none_or(|kernel| kernel.packed.is_none()) {
         errors.push(recipe.span, format!("expected a recipe for a `packed` kernel, found none named `{name}`"));
     } else if definition.packed_recipe(name).is_some() {
         errors.push(recipe.span, format!("expected one packed recipe for `{name}`, found a second"));
