@@ -106,7 +106,7 @@ pub mod scalar {
         #[inline]
         fn add(self, other: Self) -> Self {
             let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
-            Self([a + e, b + f, c + g, d + h])
+            Self([a.add(e), b.add(f), c.add(g), d.add(h)])
         }
     }
     impl<S: Scalar> Sub for Array4<S> {
@@ -114,7 +114,7 @@ pub mod scalar {
         #[inline]
         fn sub(self, other: Self) -> Self {
             let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
-            Self([a - e, b - f, c - g, d - h])
+            Self([a.sub(e), b.sub(f), c.sub(g), d.sub(h)])
         }
     }
     impl<S: Scalar> Mul for Array4<S> {
@@ -122,7 +122,7 @@ pub mod scalar {
         #[inline]
         fn mul(self, other: Self) -> Self {
             let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
-            Self([a * e, b * f, c * g, d * h])
+            Self([a.mul(e), b.mul(f), c.mul(g), d.mul(h)])
         }
     }
     impl Scalar for f32 {

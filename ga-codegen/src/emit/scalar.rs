@@ -96,23 +96,20 @@ pub(super) fn module(definition: &Definition) -> TokenStream {
 
 /// Arithmetic on four lanes, for packed kernels.
 fn lanes() -> TokenStream {
-    let operator = |name: TokenStream, method: TokenStream, symbol: TokenStream| {
+    let operator = |name: TokenStream, method: TokenStream| {
         quote! {
             impl<S: Scalar> #name for Array4<S> {
                 type Output = Self;
                 #[inline]
                 fn #method(self, other: Self) -> Self {
                     let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
-                    Self([a #symbol e, b #symbol f, c #symbol g, d #symbol h])
+                    Self([a.#method(e), b.#method(f), c.#method(g), d.#method(h)])
                 }
             }
         }
     };
-    let (add, sub, mul) = (
-        operator(quote!(Add), quote!(add), quote!(+)),
-        operator(quote!(Sub), quote!(sub), quote!(-)),
-        operator(quote!(Mul), quote!(mul), quote!(*)),
-    );
+    let (add, sub, mul) =
+        (operator(quote!(Add), quote!(add)), operator(quote!(Sub), quote!(sub)), operator(quote!(Mul), quote!(mul)));
     quote! {
         /// Four numbers side by side, for packed kernels.
         pub trait Four<S>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
