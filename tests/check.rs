@@ -292,6 +292,7 @@ impl Neg for Exact {
 }
 
 impl Scalar for Exact {
+    type Four = pga_motor::scalar::Array4<Self>;
     const ZERO: Self = Self(Fraction::ZERO);
     const ONE: Self = Self(Fraction::ONE);
     fn from_ratio(numerator: i32, denominator: i32) -> Self {

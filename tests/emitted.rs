@@ -33,10 +33,10 @@ mod golden {
     pub(crate) mod pga3d; // to make it: cargo run -p ga-codegen -- emit pga3d -o tests/golden/pga3d.rs
 }
 
-exact_scalar!(golden::pga3d::scalar {});
-tracked_scalar!(golden::pga3d::scalar {});
-exact_scalar!(golden::pga2d::scalar {});
-tracked_scalar!(golden::pga2d::scalar {});
+exact_scalar!(golden::pga3d::scalar { type Four = golden::pga3d::scalar::Array4<Self>; } {});
+tracked_scalar!(golden::pga3d::scalar { type Four = golden::pga3d::scalar::Array4<Self>; } {});
+exact_scalar!(golden::pga2d::scalar {} {});
+tracked_scalar!(golden::pga2d::scalar {} {});
 
 mod pga3d {
     use crate::golden::pga3d as compiled;
@@ -45,6 +45,23 @@ mod pga3d {
     // An emitted file without `export` has no list of its own; being fresh, it has the kernels of the preset.
     pga_motor::pga3d_kernels!(dispatch); // is one missing? cargo run -p ga-codegen -- emit pga3d -o tests/golden/pga3d.rs
     claims!("pga3d", 200);
+
+    /// What stands for four lanes in the emitted file itself.
+    #[test]
+    fn packed_kernels_are_the_kernel() {
+        use crate::dispatch::take;
+        use compiled::kernels::{motor_mul_motor, motor_mul_motor_packed};
+
+        let definition = crate::suite::definition("pga3d");
+        let kernel = definition.kernel("motor_mul_motor").expect("the product of motors");
+        let mut random = crate::samples::Random(1);
+        for _ in 0..200 {
+            let row: Vec<crate::exact::Exact> = crate::samples::row(&definition, kernel, &mut random);
+            let row = &mut row.as_slice();
+            let (a, b) = (take(row), take(row));
+            assert_eq!(motor_mul_motor_packed(a, b), motor_mul_motor(a, b));
+        }
+    }
 }
 
 mod pga2d {

@@ -30,6 +30,8 @@ use proptest::prelude::*;
 use samples::Random;
 
 exact_scalar!(pga_motor::scalar {
+    type Four = pga_motor::scalar::Array4<Self>;
+} {
     const EPSILON: Self = Exact::ZERO;
     const PI: Self = Exact::ZERO;
     fn to_f64(self) -> f64 {

@@ -15,7 +15,9 @@ mod samples;
 use ga_codegen::approximation::Function;
 use ga_codegen::factor::factor_polynomials;
 use ga_codegen::kernel::{Analytic, Definition, Kernel};
-use ga_codegen::program::{FloatDomain, Operands, Operation, Program, Value};
+use ga_codegen::program::{
+    FloatDomain, LANES, Operands, Operation, PackedOperation, PackedProgram, Program, Source, Value,
+};
 use ga_codegen::proof::{Refutation, prove, prove_evaluation};
 use ga_codegen::symbolic::Rational;
 use ga_codegen::{Compiled, Part};
@@ -274,6 +276,95 @@ fn refute_mutants_of(preset: &str) {
     assert!(unlisted.is_empty(), "{preset}: equal mutants that are not on the list EQUAL: {unlisted:#?}");
     let unneeded: Vec<_> = listed.difference(&keys).collect();
     assert!(unneeded.is_empty(), "{preset}: entries of the list EQUAL that no mutant needs any more: {unneeded:#?}");
+}
+
+/// What can take the place of an operation on four lanes that is the `at`-th: other operands, lanes, inputs and signs, a sum for
+/// a difference and the other way round.
+fn packed_replacements(operation: PackedOperation, at: Value, inputs: usize) -> Vec<PackedOperation> {
+    use PackedOperation::*;
+    let mut replacements = Vec::new();
+    for (place, operand) in operation.operands().enumerate() {
+        for other in (0..at).filter(|&other| other != operand) {
+            let first = std::cell::Cell::new(0);
+            replacements.push(operation.map_operands(|operand| {
+                let this = first.replace(first.get() + 1);
+                if this == place { other } else { operand }
+            }));
+        }
+    }
+    for lane in 0..LANES {
+        match operation {
+            Load(sources) => {
+                let of_input = |input| {
+                    let mut sources = sources;
+                    sources[lane] = Source::Input(input);
+                    Load(sources)
+                };
+                replacements.extend((0..inputs).map(of_input).filter(|other| *other != operation));
+            }
+            Shuffle(a, lanes) => {
+                let of_lane = |other| {
+                    let mut lanes = lanes;
+                    lanes[lane] = other;
+                    Shuffle(a, lanes)
+                };
+                replacements.extend((0..LANES as u8).map(of_lane).filter(|other| *other != operation));
+            }
+            Negate(a, mut negated) => {
+                negated[lane] = !negated[lane];
+                replacements.push(Negate(a, negated));
+            }
+            _ => {}
+        }
+    }
+    match operation {
+        Add(a, b) => replacements.extend([Sub(a, b), Sub(b, a)]),
+        Sub(a, b) => replacements.extend([Add(a, b), Sub(b, a)]),
+        Double(a) => replacements.push(Negate(a, [false; LANES])),
+        _ => {}
+    }
+    replacements
+}
+
+/// Every lane, operand, sign and output of a packed program matters: one changed is refuted, unless it leads to nothing that an
+/// output needs, or to the very same scalar program.
+#[test]
+fn every_mutant_of_a_packed_program_is_refuted() {
+    let (mut programs, mut refuted, mut same) = (0, 0, 0);
+    for preset in ga_codegen::preset::NAMES {
+        let definition = definition(preset);
+        for compiled in ga_codegen::compile(&definition).expect("a preset that is proved") {
+            let Some(packed) = &compiled.packed else { continue };
+            let inputs = compiled.specification.coefficients.len();
+            let mut mutants: Vec<PackedProgram> = Vec::new();
+            for (at, &operation) in packed.operations.iter().enumerate() {
+                for replacement in packed_replacements(operation, at, inputs) {
+                    let mut mutant = packed.clone();
+                    mutant.operations[at] = replacement;
+                    mutants.push(mutant);
+                }
+            }
+            for (field, &(value, lane)) in packed.outputs.iter().enumerate() {
+                for other in (0..LANES as u8).filter(|&other| other != lane) {
+                    let mut mutant = packed.clone();
+                    mutant.outputs[field] = (value, other);
+                    mutants.push(mutant);
+                }
+            }
+            for mutant in mutants {
+                let program = mutant.unpack();
+                if prove(&compiled.specification, &program).is_err() {
+                    refuted += 1;
+                    continue;
+                }
+                assert_eq!(program, compiled.program, "{}: the proof accepts {mutant:?}", compiled.name);
+                same += 1;
+            }
+            programs += 1;
+        }
+    }
+    println!("{programs} packed programs, {refuted} mutants refuted, {same} the same programs");
+    assert!(programs > 0 && refuted > 50 * same, "{refuted} refuted, {same} the same");
 }
 
 /// The programs of `relation_errors()` are no kernels, but emitted and proved like them: as identities, without any

@@ -24,6 +24,8 @@ use samples::Random;
 use std::collections::BTreeSet;
 
 exact_scalar!(pga_motor::scalar {
+    type Four = pga_motor::scalar::Array4<Self>;
+} {
     const EPSILON: Self = Exact::ZERO;
     const PI: Self = Exact::ZERO;
     fn to_f64(self) -> f64 {

@@ -5,9 +5,10 @@ use crate::errors::{Errors, check_effort};
 use crate::factor::{self, FactorError, factor};
 use crate::kernel::{self, Definition, Hoist, Kernel, Specification, SpecificationError, split};
 use crate::limits::{MAX_OPERATIONS, MAX_STEPS, STEPS_OF_AN_OPERATION};
-use crate::program::{Bound, CostModel, Count, Program, Recipe};
+use crate::program::{Bound, CostModel, Count, PackedProgram, PackedRecipe, Program, Recipe};
 use crate::proof::{Proof, Refutation, prove};
 use crate::symbolic::effort;
+use proc_macro2::Span;
 
 /// Which part of a kernel a program is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,8 +36,10 @@ pub struct Compiled {
     pub name: String,
     /// What it means.
     pub specification: Specification,
-    /// What is emitted.
+    /// What is emitted, or what the packed program unpacks to.
     pub program: Program,
+    /// The program on values of four lanes that is emitted, where it is one.
+    pub packed: Option<PackedProgram>,
     /// What has been proved.
     pub proof: Proof,
     /// How far its results can be from exact ones; `None` for an analytic kernel.
@@ -91,6 +94,8 @@ pub struct Task {
     pub model: CostModel,
     /// The precision of the polynomials that are to be in place of functions.
     pub precision: Option<Precision>,
+    /// Whether it is to be one on values of four lanes.
+    pub packed: bool,
     /// The name of the emitted function.
     pub name: String,
     /// The name under which a recipe for it is kept.
@@ -99,7 +104,7 @@ pub struct Task {
     pub specification: Specification,
 }
 
-/// The programs that a kernel asks for: one for each of its cost models, and its parts.
+/// The programs that a kernel asks for: one for each of its cost models, the packed one, and its parts.
 ///
 /// # Errors
 /// A kernel without meaning, or one that cannot be split as it asks.
@@ -109,12 +114,25 @@ pub fn tasks(definition: &Definition, kernel: &Kernel) -> syn::Result<Vec<Task>>
     for (place, &model) in kernel.models.iter().enumerate() {
         let name = if place == 0 { kernel.name.clone() } else { format!("{}_{model}", kernel.name) };
         let (recipe, specification) = (kernel.name.clone(), specification.clone());
-        tasks.push(Task { part: Part::Whole, model, precision: None, name, recipe, specification });
+        tasks.push(Task { part: Part::Whole, model, precision: None, packed: false, name, recipe, specification });
+    }
+    if kernel.packed.is_some() {
+        let (name, recipe, specification) = (kernel.packed_name(), kernel.name.clone(), specification.clone());
+        let (part, model) = (Part::Whole, kernel.models[0]);
+        tasks.push(Task { part, model, precision: None, packed: true, name, recipe, specification });
     }
     for &precision in &kernel.polynomial {
         let name = format!("{}_{}", kernel.name, precision.name());
         let (recipe, specification, model) = (name.clone(), specification.clone(), kernel.models[0]);
-        tasks.push(Task { part: Part::Whole, model, precision: Some(precision), name, recipe, specification });
+        tasks.push(Task {
+            part: Part::Whole,
+            model,
+            precision: Some(precision),
+            packed: false,
+            name,
+            recipe,
+            specification,
+        });
     }
     if let Some(hoist) = &kernel.hoist {
         let (prepare, apply) = split(kernel, &specification)
@@ -124,7 +142,7 @@ pub fn tasks(definition: &Definition, kernel: &Kernel) -> syn::Result<Vec<Task>>
             [(Part::Prepare, &hoist.prepare, prepare), (Part::Apply, &hoist.apply, apply)]
         {
             let (name, recipe) = (name.clone(), name.clone());
-            tasks.push(Task { part, model, precision: None, name, recipe, specification });
+            tasks.push(Task { part, model, precision: None, packed: false, name, recipe, specification });
         }
     }
     Ok(tasks)
@@ -137,14 +155,15 @@ fn compile_kernel(definition: &Definition, index: usize) -> syn::Result<Vec<Comp
 
 fn compile_task(definition: &Definition, index: usize, task: Task) -> syn::Result<Compiled> {
     let kernel = &definition.kernels[index];
-    let Task { part, model, precision, name, recipe, specification } = task;
+    let Task { part, model, precision, packed, name, recipe, specification } = task;
     let expanded = factor::expanded_count(&specification).map_err(|found| at(kernel, found.to_string()))?;
     let found = match (precision, definition.recipe(&recipe, model)) {
+        _ if packed => Found::Packed(packed_recipe(definition, kernel)?),
         (Some(precision), _) => Found::Factored(factor::factor_by_polynomials(&specification, precision)),
         (None, Some(recipe)) => Found::Recipe(recipe),
         (None, None) => Found::Factored(factor(&specification, model)),
     };
-    let (program, proof) = proved_program(kernel, &specification, found)?;
+    let Proved { program, packed, proof } = proved_program(kernel, &specification, found)?;
     if program.operations.len() > MAX_OPERATIONS {
         let message = format!("kernel `{}`: expected at most {MAX_OPERATIONS} operations, found more", kernel.name);
         return Err(syn::Error::new(kernel.expression.span, message));
@@ -156,7 +175,7 @@ fn compile_task(definition: &Definition, index: usize, task: Task) -> syn::Resul
         return Err(at(kernel, message));
     }
     let bound = Bound::new(&specification, &program);
-    Ok(Compiled { kernel: index, part, model, precision, name, specification, program, proof, bound, expanded })
+    Ok(Compiled { kernel: index, part, model, precision, name, specification, program, packed, proof, bound, expanded })
 }
 
 /// The meaning of a kernel, errors at the output type where that is to blame.
@@ -179,17 +198,45 @@ fn specify(definition: &Definition, kernel: &Kernel) -> syn::Result<Specificatio
     Ok(specification)
 }
 
+/// The recipe of a packed kernel: packing is left to a search, so there must be one.
+fn packed_recipe<'a>(definition: &'a Definition, kernel: &Kernel) -> syn::Result<&'a PackedRecipe> {
+    definition.packed_recipe(&kernel.name).ok_or_else(|| {
+        let message = format!(
+            "expected a recipe `recipe {name} packed {{ ... }}` for a `packed` kernel, found none: `ga-codegen search \
+             DEFINITION --kernel {name}` finds one for a product",
+            name = kernel.name
+        );
+        syn::Error::new(kernel.packed.unwrap_or(kernel.span), message)
+    })
+}
+
 /// Where a program comes from.
 enum Found<'a> {
     Recipe(&'a Recipe),
+    Packed(&'a PackedRecipe),
     Factored(Result<Program, FactorError>),
 }
 
+/// A program with its proof, and the packed one that it was unpacked from.
+struct Proved {
+    program: Program,
+    packed: Option<PackedProgram>,
+    proof: Proof,
+}
+
 /// The program of the recipe or the one that was found at once; proved either way.
-fn proved_program(kernel: &Kernel, specification: &Specification, found: Found<'_>) -> syn::Result<(Program, Proof)> {
+fn proved_program(kernel: &Kernel, specification: &Specification, found: Found<'_>) -> syn::Result<Proved> {
     let factored = match found {
         Found::Factored(factored) => factored,
-        Found::Recipe(recipe) => return replayed_program(kernel, specification, recipe),
+        Found::Recipe(recipe) => {
+            let replayed = factor::replay(specification, recipe);
+            return replayed_program(kernel, specification, (&recipe.kernel, recipe.span), replayed, None);
+        }
+        Found::Packed(recipe) => {
+            let replayed = factor::replay_packed(specification, recipe);
+            let unpacked = replayed.as_ref().map(PackedProgram::unpack).map_err(String::clone);
+            return replayed_program(kernel, specification, (&recipe.kernel, recipe.span), unpacked, replayed.ok());
+        }
     };
     let program = factored.map_err(|found| at(kernel, found.to_string()))?;
     let proof = prove(specification, &program).map_err(|refutation| match refutation {
@@ -198,21 +245,27 @@ fn proved_program(kernel: &Kernel, specification: &Specification, found: Found<'
         }
         _ => at(kernel, format!("expected a proof, found a refutation: {refutation}")),
     })?;
-    Ok((program, proof))
+    Ok(Proved { program, packed: None, proof })
 }
 
-fn replayed_program(kernel: &Kernel, specification: &Specification, recipe: &Recipe) -> syn::Result<(Program, Proof)> {
-    let replayed = factor::replay(specification, recipe).and_then(|program| {
+fn replayed_program(
+    kernel: &Kernel,
+    specification: &Specification,
+    (name, span): (&str, Span),
+    replayed: Result<Program, String>,
+    packed: Option<PackedProgram>,
+) -> syn::Result<Proved> {
+    let proved = replayed.and_then(|program| {
         let proof = prove(specification, &program).map_err(|refutation| refutation.to_string())?;
-        Ok((program, proof))
+        Ok(Proved { program, packed, proof })
     });
-    replayed.map_err(|reason| {
-        let (name, owner) = (&recipe.kernel, &kernel.name);
+    proved.map_err(|reason| {
+        let owner = &kernel.name;
         let message = format!(
             "expected a recipe that fits `{name}`, found that {reason}: remove it and renew it with `ga-codegen search \
              DEFINITION --kernel {owner}`"
         );
-        syn::Error::new(recipe.span, message)
+        syn::Error::new(span, message)
     })
 }
 

@@ -20,14 +20,18 @@ use proc_macro2::TokenStream;
 ///            | "basis" ( BLADE | NAME "=" BLADE )* ";"
 ///            | DOC* "entity" NAME "{" component,* "}" ( ";" | "where" relation,+ ";" )?
 ///            | DOC* "kernel" NAME "(" ( "uniform"? NAME ":" ENTITY ),* ")" "->" ENTITY "=" expression
-///                   ( "where" relation,+ )? ( "cost" MODEL,+ )? ( "polynomial" PRECISION,+ )?
+///                   ( "where" relation,+ )? ( "cost" MODEL,+ )? "packed"? ( "polynomial" PRECISION,+ )?
 ///                   ( "hoist" STRUCT "," PREPARE "," APPLY )? ";"
 ///            | "recipe" KERNEL MODEL "{" ( ROW "=" value ";" )* "}"
+///            | "recipe" KERNEL "packed" "{" ( ( ROW | "out" four( FIELD | "_" ) ) "=" packed ";" )* "}"
 ///            | "preset" NAME ";"       the items of a preset, in place
 ///            | "scalar" PATH ";"       the module that has the traits Scalar and Real; emitted too where it is not given
 ///            | "export" NAME ";"       exports the list of kernels as the macro NAME_kernels
 /// component := FIELD ":" BLADE | BLADE | NUMBER ":" BLADE
 /// relation  := polynomial "==" polynomial
+/// packed    := four( COEFFICIENT | NUMBER ) | ROW | "(" packed ")" | packed four( "-"? LANE ) | "2" "*" packed
+///            | packed "*" packed | packed ( "+" | "-" ) packed
+/// four(x)   := "[" x "," x "," x "," x "]"
 /// ```
 /// - A blade is `1` or `e` with the indices of generators: see [`Signature`](crate::algebra::Signature) for their
 ///   squares. The basis lists every blade once, in any order and orientation (`e31` is -`e13`), under another name if wanted
@@ -46,6 +50,10 @@ use proc_macro2::TokenStream;
 ///
 /// - A cost model is `flops` (the default), `fma` or `latency`, see [`CostModel`](crate::program::CostModel). A kernel is
 ///   emitted once for each of its models: under its name for the first, with `_MODEL` behind it for the others.
+/// - A `packed` kernel is emitted on values of four lanes as well, as `NAME_packed`. Its operator calls that for numbers whose
+///   `Four::IS_FAST`. The program must be given as a packed recipe. In one, `[a.s, a.x, 0, 1]` loads four coefficients or
+///   numbers, `v[1, 1, 2, 3]` has in its lanes these lanes of v, negated where a minus stands before them, and
+///   `out[x, y, _, _] = v` says which fields of the output the lanes of v are.
 /// - `polynomial f32, f64` asks for versions of exp and log without roots, divisions, branches and library calls, for loops over
 ///   many: NAME_f32 and NAME_f64, and NAME_f32_holds and so on, which say for which inputs they hold.
 /// - A kernel with `uniform` inputs, those that stay the same over many calls, is emitted in two parts as well: a function

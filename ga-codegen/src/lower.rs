@@ -9,7 +9,7 @@ use crate::approximation::Precision;
 use crate::errors::{Errors, check_effort};
 use crate::kernel::{Analytic, Component, ComponentValue, Definition, Entity, Hoist, Kernel, Parameter, Statement};
 use crate::limits::MAX_STEPS;
-use crate::program::{CostModel, Recipe};
+use crate::program::{CostModel, PackedRecipe, Recipe};
 use crate::symbolic::{Rational, Relation, Relations, RelationsError, Symbol, effort};
 use crate::syntax::{Item, Name, RawComponent, RawKernel, RawParameter, RawRelation};
 use expression::Scope;
@@ -18,8 +18,8 @@ use std::collections::BTreeMap;
 
 /// Names that emitted code has for something else: the traits that it implements or asks for, the types of coefficients,
 /// its modules.
-const RESERVED: [&str; 11] =
-    [Entity::SCALAR, "Real", "T", "U", "From", "Default", "FnMut", "kernels", "scalar", "f32", "f64"];
+const RESERVED: [&str; 12] =
+    [Entity::SCALAR, "Real", "Four", "T", "U", "From", "Default", "FnMut", "kernels", "scalar", "f32", "f64"];
 
 /// Resolves the items of a block.
 ///
@@ -37,6 +37,7 @@ fn lower_items(items: &[Item]) -> syn::Result<Definition> {
         entities: vec![Entity::scalar()],
         kernels: Vec::new(),
         recipes: Vec::new(),
+        packed_recipes: Vec::new(),
         scalar_path: None,
         export: None,
     };
@@ -57,7 +58,8 @@ fn lower_items(items: &[Item]) -> syn::Result<Definition> {
             }
             Item::Scalar { path } => definition.scalar_path = Some(path.clone()),
             Item::Export { name } => definition.export = Some(name.text.clone()),
-            Item::Signature { .. } | Item::Basis { .. } | Item::Kernel(_) | Item::Recipe { .. } => {}
+            Item::Signature { .. } | Item::Basis { .. } | Item::Kernel(_) => {}
+            Item::Recipe { .. } | Item::PackedRecipe(_) => {}
         }
     }
     let kernels = items.iter().filter_map(|item| if let Item::Kernel(kernel) = item { Some(kernel) } else { None });
@@ -73,10 +75,13 @@ fn lower_items(items: &[Item]) -> syn::Result<Definition> {
     }
     check_parts(&definition, &mut errors);
     for item in items {
-        let Item::Recipe { kernel, model, rows } = item else { continue };
-        match recipe::recipe(kernel, model, rows) {
-            Ok(recipe) => check_recipe(&mut definition, recipe, &mut errors),
-            Err(error) => errors.absorb(error),
+        match item {
+            Item::Recipe { kernel, model, rows } => match recipe::recipe(kernel, model, rows) {
+                Ok(recipe) => check_recipe(&mut definition, recipe, &mut errors),
+                Err(error) => errors.absorb(error),
+            },
+            Item::PackedRecipe(recipe) => check_packed_recipe(&mut definition, recipe, &mut errors),
+            _ => {}
         }
     }
     errors.into_result(definition)
@@ -90,7 +95,8 @@ fn check_parts(definition: &Definition, errors: &mut Errors) {
     for kernel in &definition.kernels {
         let precisions = kernel.polynomial.iter().map(|precision| precision.name());
         let models = kernel.models.iter().skip(1).map(|model| model.name());
-        let variants = models.chain(precisions).map(|suffix| format!("{}_{suffix}", kernel.name));
+        let packed = kernel.packed.map(|_| "packed");
+        let variants = models.chain(packed).chain(precisions).map(|suffix| format!("{}_{suffix}", kernel.name));
         let mut wanted: Vec<_> = variants.map(|name| (name, false, kernel.span)).collect();
         if let Some(hoist) = &kernel.hoist {
             let names = [(&hoist.record, true), (&hoist.prepare, false), (&hoist.apply, false)];
@@ -145,6 +151,17 @@ fn check_recipe(definition: &mut Definition, recipe: Recipe, errors: &mut Errors
         errors.push(recipe.span, format!("expected one recipe for `{name}` and {model}, found a second"));
     } else {
         definition.recipes.push(recipe);
+    }
+}
+
+fn check_packed_recipe(definition: &mut Definition, recipe: &PackedRecipe, errors: &mut Errors) {
+    let name = &recipe.kernel;
+    if definition.kernel(name).is_none_or(|kernel| kernel.packed.is_none()) {
+        errors.push(recipe.span, format!("expected a recipe for a `packed` kernel, found none named `{name}`"));
+    } else if definition.packed_recipe(name).is_some() {
+        errors.push(recipe.span, format!("expected one packed recipe for `{name}`, found a second"));
+    } else {
+        definition.packed_recipes.push(recipe.clone());
     }
 }
 
@@ -327,6 +344,10 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
     if models.is_empty() {
         models.push(CostModel::default());
     }
+    let plain = output.is_some_and(|output| definition.entities[output].is_scalar());
+    if let Some(span) = raw.packed.filter(|_| analytic.is_some() || plain) {
+        errors.push(span, "expected `packed` at a polynomial definition of a type with fields, found another kernel");
+    }
     let polynomial = lower_precisions(raw, analytic, errors);
     let uniform: Vec<bool> = raw.parameters.iter().map(|parameter| parameter.uniform).collect();
     let hoist = lower_hoist(raw, analytic.is_some(), errors);
@@ -339,6 +360,7 @@ fn lower_kernel(definition: &Definition, raw: &RawKernel, errors: &mut Errors) -
         expression,
         statements,
         models,
+        packed: raw.packed,
         polynomial,
         uniform,
         hoist,

@@ -3,6 +3,8 @@
 //! The grammar is documented at [`crate::expand`]. An item that does not parse does not keep the others from being
 //! parsed.
 
+mod packed;
+
 use proc_macro2::{Delimiter, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::fmt::Display;
 use std::str::FromStr;
@@ -14,6 +16,7 @@ use crate::errors::Errors;
 use crate::kernel::Operator;
 use crate::limits::{MAX_DEPTH, MAX_ITEMS, MAX_LISTED};
 use crate::preset;
+use crate::program::PackedRecipe;
 
 /// A name and where it stands.
 #[derive(Clone, Debug)]
@@ -32,6 +35,7 @@ pub(crate) enum Item {
     Scalar { path: TokenStream },
     Export { name: Name },
     Recipe { kernel: Name, model: Name, rows: Vec<RawRow> },
+    PackedRecipe(PackedRecipe),
 }
 
 /// A row of a recipe: a name, or `out.FIELD`, and its value.
@@ -67,6 +71,7 @@ pub(crate) struct RawKernel {
     pub(crate) expression: RawExpression,
     pub(crate) relations: Vec<RawRelation>,
     pub(crate) models: Vec<Name>,
+    pub(crate) packed: Option<Span>,
     pub(crate) polynomial: Vec<Name>,
     pub(crate) hoist: Option<[Name; 3]>,
 }
@@ -408,7 +413,7 @@ fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
     token::<Token![=]>(input, "`=`")?;
     let expression = expression(input)?;
     let relations = relations(input)?;
-    let Clauses { models, polynomial, hoist } = clauses(input)?;
+    let Clauses { models, packed, polynomial, hoist } = clauses(input)?;
     Ok(Item::Kernel(Box::new(RawKernel {
         docs,
         name: kernel_name,
@@ -417,6 +422,7 @@ fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
         expression,
         relations,
         models,
+        packed,
         polynomial,
         hoist,
     })))
@@ -426,18 +432,22 @@ fn kernel(docs: Vec<String>, input: ParseStream) -> syn::Result<Item> {
 #[derive(Default)]
 struct Clauses {
     models: Vec<Name>,
+    packed: Option<Span>,
     polynomial: Vec<Name>,
     hoist: Option<[Name; 3]>,
 }
 
-/// `cost flops, fma`, `polynomial f32, f64` and `hoist Record, prepare, apply`, in this order.
+/// `cost flops, fma`, `packed`, `polynomial f32, f64` and `hoist Record, prepare, apply`, in this order.
 fn clauses(input: ParseStream) -> syn::Result<Clauses> {
     let mut clauses = Clauses::default();
     while !input.peek(Token![;]) && !input.is_empty() {
         let keyword = any_ident(input, CLAUSES)?;
         let (polynomial, hoist) = (!clauses.polynomial.is_empty(), clauses.hoist.is_some());
-        if keyword == "cost" && clauses.models.is_empty() && !polynomial && !hoist {
+        let packed = clauses.packed.is_some();
+        if keyword == "cost" && clauses.models.is_empty() && !packed && !polynomial && !hoist {
             clauses.models = names(input, "a cost model")?;
+        } else if keyword == "packed" && !packed && !polynomial && !hoist {
+            clauses.packed = Some(keyword.span());
         } else if keyword == "polynomial" && !polynomial && !hoist {
             clauses.polynomial = names(input, "`f32` or `f64`")?;
         } else if keyword == "hoist" && !hoist {
@@ -454,7 +464,7 @@ fn clauses(input: ParseStream) -> syn::Result<Clauses> {
     Ok(clauses)
 }
 
-const CLAUSES: &str = "an operator, `where`, `cost`, `polynomial`, `hoist` or `;`";
+const CLAUSES: &str = "an operator, `where`, `cost`, `packed`, `polynomial`, `hoist` or `;`";
 
 /// Names between commas.
 fn names(input: ParseStream, expected: &str) -> syn::Result<Vec<Name>> {
@@ -479,9 +489,12 @@ fn scalar(input: ParseStream) -> syn::Result<Item> {
 }
 
 fn recipe(input: ParseStream) -> syn::Result<Item> {
-    let (kernel, model) = (name(input, "the name of a kernel")?, name(input, "a cost model")?);
+    let (kernel, model) = (name(input, "the name of a kernel")?, name(input, "a cost model or `packed`")?);
     let content;
     syn::braced!(content in input);
+    if model.text == "packed" {
+        return Ok(Item::PackedRecipe(packed::recipe(kernel, &content)?));
+    }
     let mut rows = Vec::new();
     while !content.is_empty() {
         let mut row = name(&content, "the name of a row")?.text;

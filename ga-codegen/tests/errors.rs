@@ -641,7 +641,7 @@ scalar;",
 fn expressions_that_do_not_parse_are_reported_at_the_token() {
     let cases = [
         ("a *", "3:36: expected an expression, found `;`"),
-        ("a b", "3:35: expected an operator, `where`, `cost`, `polynomial`, `hoist` or `;`, found `b`"),
+        ("a b", "3:35: expected an operator, `where`, `cost`, `packed`, `polynomial`, `hoist` or `;`, found `b`"),
         ("(a b)", "3:36: expected an operator or `)`, found `b`"),
         ("(a +)", "3:37: expected an expression, found the end"),
         ("dual(a b)", "3:40: expected `,`, found `b`"),

@@ -146,6 +146,32 @@ fn parts_of_a_kernel_applied_one_after_the_other_are_the_kernel() {
     assert!((whole.x - quick.x).abs() < 1e-14 && (whole.y - quick.y).abs() < 1e-14);
 }
 
+/// A kernel on four lanes, with the block's own traits.
+mod packed {
+    ga_macros::algebra! {
+        signature (3, 0, 0);
+        basis 1 e1 e2 e3 e23 e31 e12 e123;
+        entity Rotor { s: 1, e23, e31, e12 }
+        kernel turn(a: Rotor, b: Rotor) -> Rotor = a * b packed;
+        recipe turn packed {
+            p = [a.s, a.e23, a.e31, a.e12];
+            q = [b.s, b.e23, b.e31, b.e12];
+            t = p[1, 1, 2, 3] * q[1, 0, 0, 0] + p[2, 3, 1, 2] * q[2, 2, 3, 1];
+            out[s, e23, e31, e12] = p[0, 0, 0, 0] * q + t[-0, 1, 2, 3] - p[3, 2, 3, 1] * q[3, 3, 1, 2];
+        }
+    }
+}
+
+#[test]
+fn packed_kernels_are_the_kernel() {
+    use packed::{Rotor, kernels};
+
+    // Small whole numbers, so that nothing is rounded.
+    let (a, b) = (Rotor::new(1, 2, -3, 4).map(f64::from), Rotor::new(-5, 6, 7, 8).map(f64::from));
+    assert_eq!(kernels::turn_packed(a, b), kernels::turn(a, b));
+    assert_eq!(a * b, kernels::turn(a, b));
+}
+
 /// Fields whose names would be the same, and a scalar output without one.
 mod hoisted_names {
     ga_macros::algebra! {

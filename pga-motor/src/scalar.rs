@@ -4,12 +4,17 @@
 //! and `f64`; `Real` with the feature `std` or `libm`. Anything else that is a ring can be run through the same compiled
 //! kernels: exact rationals, polynomials, intervals, dual numbers.
 
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+mod sse2;
+
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A commutative ring of `Copy` values.
 pub trait Scalar:
     Copy + PartialEq + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
+    /// Four of them side by side; [`Array4`] does for any type.
+    type Four: Four<Self>;
     /// 0
     const ZERO: Self;
     /// 1
@@ -28,6 +33,61 @@ pub trait Scalar:
         self.mul_add(factor, term)
     }
 }
+
+/// Four numbers side by side, for packed kernels.
+pub trait Four<S>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// Whether arithmetic on them is faster than on four numbers one by one, so that operators call packed kernels.
+    const IS_FAST: bool;
+    /// The value with these lanes.
+    fn new(lanes: [S; 4]) -> Self;
+    /// The lanes.
+    fn to_array(self) -> [S; 4];
+    /// In every lane the one that two bits of the mask name, the lowest for lane 0.
+    fn shuffle<const MASK: i32>(self) -> Self;
+    /// The lanes negated whose bits of the mask are set, the lowest that of lane 0.
+    fn negate<const MASK: i32>(self) -> Self;
+}
+
+/// Four numbers in an array, whatever they are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Array4<S>(pub [S; 4]);
+
+impl<S: Scalar> Four<S> for Array4<S> {
+    const IS_FAST: bool = false;
+    #[inline]
+    fn new(lanes: [S; 4]) -> Self {
+        Self(lanes)
+    }
+    #[inline]
+    fn to_array(self) -> [S; 4] {
+        self.0
+    }
+    #[inline]
+    fn shuffle<const MASK: i32>(self) -> Self {
+        Self([0, 2, 4, 6].map(|place| self.0[(MASK >> place & 3) as usize]))
+    }
+    #[inline]
+    fn negate<const MASK: i32>(self) -> Self {
+        let [a, b, c, d] = self.0;
+        let lane = |place: i32, x: S| if MASK >> place & 1 == 1 { -x } else { x };
+        Self([lane(0, a), lane(1, b), lane(2, c), lane(3, d)])
+    }
+}
+
+macro_rules! implement_lanewise {
+    ($($name:ident $method:ident $symbol:tt),*) => {
+        $(impl<S: Scalar> $name for Array4<S> {
+            type Output = Self;
+            #[inline]
+            fn $method(self, other: Self) -> Self {
+                let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
+                Self([a $symbol e, b $symbol f, c $symbol g, d $symbol h])
+            }
+        })*
+    };
+}
+
+implement_lanewise!(Add add +, Sub sub -, Mul mul *);
 
 /// Real numbers, in floating point or better.
 pub trait Real: Scalar + PartialOrd + Div<Output = Self> {
@@ -108,8 +168,9 @@ pub(crate) fn precision<T: Real>() -> Precision {
 }
 
 macro_rules! implement_scalar {
-    ($float:ident) => {
+    ($float:ident, $four:ty) => {
         impl Scalar for $float {
+            type Four = $four;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             #[inline]
@@ -125,8 +186,12 @@ macro_rules! implement_scalar {
     };
 }
 
-implement_scalar!(f32);
-implement_scalar!(f64);
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+implement_scalar!(f32, sse2::F32x4);
+#[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
+implement_scalar!(f32, Array4<f32>);
+// Two registers for one value make no packed kernel faster.
+implement_scalar!(f64, Array4<f64>);
 
 #[cfg(feature = "std")]
 macro_rules! implement_real {

@@ -126,11 +126,12 @@ impl Neg for Exact {
     }
 }
 
-/// Implements the traits `Scalar` and `Real` of a module for [`Exact`]; what is in braces is added to `Real`. The
+/// Implements the traits `Scalar` and `Real` of a module for [`Exact`]; what is in braces is added to them. The
 /// functions of real numbers panic, so that a polynomial kernel that calls one does not go unnoticed.
 macro_rules! exact_scalar {
-    ($first:ident $(::$module:ident)* { $($more:item)* }) => {
+    ($first:ident $(::$module:ident)* { $($of_scalar:item)* } { $($more:item)* }) => {
         impl $first$(::$module)*::Scalar for $crate::exact::Exact {
+            $($of_scalar)*
             const ZERO: Self = Self::ZERO;
             const ONE: Self = Self::ONE;
             fn from_ratio(numerator: i32, denominator: i32) -> Self {

@@ -8,7 +8,7 @@ use crate::interpreter::Coefficient;
 use ga_codegen::approximation::approximation;
 use ga_codegen::program::{Operation, Program};
 use ga_codegen::symbolic::{Polynomial, Rational, Symbol};
-use pga_motor::scalar::{Real, Scalar};
+use pga_motor::scalar::{Array4, Real, Scalar};
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -154,6 +154,7 @@ impl PartialOrd for Traced {
 }
 
 impl Scalar for Traced {
+    type Four = Array4<Self>;
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1);
     fn from_ratio(numerator: i32, denominator: i32) -> Self {

@@ -25,6 +25,8 @@ use tracked::Tracked;
 const EXACT_CASES: usize = 2000;
 
 exact_scalar!(pga_motor::scalar {
+    type Four = pga_motor::scalar::Array4<Self>;
+} {
     const EPSILON: Self = Exact::ZERO;
     const PI: Self = Exact::ZERO;
     fn to_f64(self) -> f64 {
@@ -33,6 +35,8 @@ exact_scalar!(pga_motor::scalar {
 });
 
 tracked_scalar!(pga_motor::scalar {
+    type Four = pga_motor::scalar::Array4<Self>;
+} {
     const EPSILON: Self = Tracked::new(f64::EPSILON);
     const PI: Self = Tracked::new(std::f64::consts::PI);
     fn to_f64(self) -> f64 {
@@ -99,6 +103,17 @@ mod parts {
             motor_transform_direction, |m, d| matrix_apply_direction(motor_to_direction_matrix(m), d);
             motor_transform_plane, |m, p| matrix_apply_plane(motor_to_plane_matrix(m), p);
             motor_transform_line, |m, l| matrix_apply_line(motor_to_line_matrix(m), l);
+        }
+    }
+
+    #[test]
+    fn packed_kernels_are_the_kernel() {
+        equal! {
+            motor_mul_motor, |a, b| motor_mul_motor_packed(a, b);
+            motor_mul_rotor, |a, b| motor_mul_rotor_packed(a, b);
+            rotor_mul_motor, |a, b| rotor_mul_motor_packed(a, b);
+            rotor_mul_rotor, |a, b| rotor_mul_rotor_packed(a, b);
+            even_mul_even, |a, b| even_mul_even_packed(a, b);
         }
     }
 

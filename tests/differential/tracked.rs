@@ -126,10 +126,11 @@ impl Neg for Tracked {
     }
 }
 
-/// Implements the traits `Scalar` and `Real` of a module for [`Tracked`]; what is in braces is added to `Real`.
+/// Implements the traits `Scalar` and `Real` of a module for [`Tracked`]; what is in braces is added to them.
 macro_rules! tracked_scalar {
-    ($first:ident $(::$module:ident)* { $($more:item)* }) => {
+    ($first:ident $(::$module:ident)* { $($of_scalar:item)* } { $($more:item)* }) => {
         impl $first$(::$module)*::Scalar for $crate::tracked::Tracked {
+            $($of_scalar)*
             const ZERO: Self = Self::new(0.0);
             const ONE: Self = Self::new(1.0);
             fn from_ratio(numerator: i32, denominator: i32) -> Self {

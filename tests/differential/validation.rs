@@ -213,6 +213,11 @@ mod pga3d {
         use pga_motor::scalar;
 
         dispatch! {
+            fn motor_mul_motor_packed(a: Motor, b: Motor) -> Motor;
+            fn motor_mul_rotor_packed(a: Motor, b: Rotor) -> Motor;
+            fn rotor_mul_motor_packed(a: Rotor, b: Motor) -> Motor;
+            fn rotor_mul_rotor_packed(a: Rotor, b: Rotor) -> Rotor;
+            fn even_mul_even_packed(a: EvenMultivector, b: EvenMultivector) -> EvenMultivector;
             fn rotor_transform_line_fma(r: Rotor, l: Line) -> Line;
             fn line_exp_f32(l: Line) -> Motor;
             fn line_exp_f64(l: Line) -> Motor;

@@ -84,6 +84,11 @@ fn meaning(definition: &Definition, compiled: &Compiled) -> String {
     format!("{} = {}{part}", signature(definition, compiled), kernel.definition())
 }
 
+/// What a program is to be cheap in.
+fn model(compiled: &Compiled) -> &'static str {
+    if compiled.packed.is_some() { "packed" } else { compiled.model.name() }
+}
+
 fn row(definition: &Definition, compiled: &Compiled) -> [String; 9] {
     let expanded = compiled.expanded.map_or("-".to_owned(), |count| format!("{}+{}", count.mul, count.add));
     let count = Count::of(&compiled.program);
@@ -95,7 +100,7 @@ fn row(definition: &Definition, compiled: &Compiled) -> [String; 9] {
     [
         compiled.name.clone(),
         meaning(definition, compiled),
-        compiled.model.to_string(),
+        model(compiled).to_owned(),
         expanded,
         emitted,
         count.fma.to_string(),
@@ -150,7 +155,7 @@ fn object(definition: &Definition, compiled: &Compiled) -> Value {
         "definition": kernel.definition(),
         "inputs": inputs,
         "output": output(definition, compiled),
-        "cost_model": compiled.model.name(),
+        "cost_model": model(compiled),
         "polynomial": compiled.precision.map(|precision| precision.name()),
         "expanded": compiled.expanded.map(|count| json!({ "mul": count.mul, "add": count.add })),
         "emitted": {

@@ -1,9 +1,11 @@
 //! Long searches for cheaper programs, offline; what they find is left as recipes.
 
 use super::source;
-use ga_codegen::factor::{Search, expanded_count, factor, read_recipe, replay, write_recipe};
+use ga_codegen::factor::{
+    Search, expanded_count, factor, pack, read_recipe, replay, replay_packed, write_packed_recipe, write_recipe,
+};
 use ga_codegen::kernel::{Definition, Kernel};
-use ga_codegen::program::Count;
+use ga_codegen::program::{Count, PackedProgram};
 use ga_codegen::proof::prove;
 use ga_codegen::{Task, tasks};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -26,7 +28,7 @@ pub(crate) struct Request {
 }
 
 fn key(task: &Task) -> String {
-    format!("{} {}", task.recipe, task.model)
+    if task.packed { format!("{} packed", task.recipe) } else { format!("{} {}", task.recipe, task.model) }
 }
 
 /// A number that another specification, or another set of starting points, does not share (FNV-1a).
@@ -90,7 +92,8 @@ type Place = (usize, usize);
 /// Whether a name is that of a kernel, of one of its variants or of one of its parts.
 fn is_of(kernel: &Kernel, name: &str) -> bool {
     let variant = kernel.models.iter().any(|model| name == format!("{}_{model}", kernel.name));
-    variant || kernel.name == name || kernel.models.iter().any(|&model| kernel.has_program(name, model))
+    let packed = kernel.packed.is_some() && name == kernel.packed_name();
+    packed || variant || kernel.name == name || kernel.models.iter().any(|&model| kernel.has_program(name, model))
 }
 
 /// The text of the output file, which must be recipes and nothing else: it will be replaced.
@@ -184,6 +187,12 @@ fn search(
     state: &Mutex<State>,
     bar: &ProgressBar,
 ) -> Result<Found, String> {
+    if task.packed {
+        bar.set_message(key(task));
+        let found = search_packed(definition, place, task);
+        bar.inc(request.restarts);
+        return found;
+    }
     let fail = |error: String| format!("error: {}: {error}", task.recipe);
     let lock = || state.lock().expect("invariant: no thread panics with the lock");
     let mut search =
@@ -210,6 +219,23 @@ fn search(
     }
     lock().put(task, &done, &search)?;
     finish(place, task, &search, &done).map_err(fail)
+}
+
+/// A packed program for a product, or the recipe that there is where it is no dearer. There are no restarts.
+fn search_packed(definition: &Definition, place: Place, task: &Task) -> Result<Found, String> {
+    let proved = |program: &PackedProgram| prove(&task.specification, &program.unpack()).is_ok();
+    let known = definition.packed_recipe(&task.recipe);
+    let known = known.and_then(|recipe| replay_packed(&task.specification, recipe).ok());
+    let programs = known.into_iter().chain(pack(&task.specification)).filter(proved);
+    let best = programs.min_by_key(|program| program.count().total()).ok_or_else(|| {
+        format!(
+            "error: {}: expected a product of two types with fields in groups of four, or a packed recipe that fits, found \
+             neither",
+            task.recipe
+        )
+    })?;
+    let line = format!("{}: {}\n", key(task), best.count());
+    Ok(Found { place, recipe: Some(write_packed_recipe(&task.specification, &best, &task.recipe)), line })
 }
 
 const SAVE_EVERY: u64 = 500;

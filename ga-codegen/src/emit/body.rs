@@ -101,7 +101,7 @@ fn constants(program: &Program, span: Span) -> syn::Result<BTreeMap<Rational, To
 }
 
 /// A number as an expression of the scalar type.
-fn number(number: Rational, span: Span) -> syn::Result<TokenStream> {
+pub(super) fn number(number: Rational, span: Span) -> syn::Result<TokenStream> {
     if number.is_zero() {
         return Ok(quote!(T::ZERO));
     }

@@ -1,11 +1,11 @@
 //! Functions from kernels.
 
 use super::body::{Style, access, body};
-use super::{doc, entity_type, ident, meaning, polynomial};
+use super::{doc, entity_type, ident, meaning, packed, polynomial};
 use crate::approximation::approximation;
 use crate::compile::{Compiled, Part};
 use crate::kernel::{Definition, Hoist, Kernel};
-use crate::program::{CostModel, Count, Operation, Program};
+use crate::program::{CostModel, Count, Operation, PackedOperation, Program, Source};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -34,7 +34,10 @@ pub(super) fn function(definition: &Definition, compiled: &Compiled) -> syn::Res
     let coefficients = &compiled.specification.coefficients;
     let inputs: Vec<_> = coefficients.iter().map(|c| access(names[c.parameter], &c.field)).collect();
     let style = style(compiled);
-    let body = body(&compiled.program, &inputs, &names, &meaning::names(compiled), style, kernel.span)?;
+    let body = match &compiled.packed {
+        Some(program) => packed::body(program, &inputs, &names, kernel.span)?,
+        None => body(&compiled.program, &inputs, &names, &meaning::names(compiled), style, kernel.span)?,
+    };
     let parameters = parameters(definition, compiled);
     let (record, output_type, result) = output(definition, compiled, &body.outputs);
     let (docs, name) = (doc(&documentation(definition, compiled)), ident(&compiled.name));
@@ -76,17 +79,32 @@ fn parameters(definition: &Definition, compiled: &Compiled) -> Vec<TokenStream> 
         Part::Prepare => kernel.uniform[index],
         Part::Apply => !kernel.uniform[index],
     });
+    let inputs = inputs(compiled);
     let own = own.map(|(index, parameter)| {
-        let used = |operation: &Operation| match operation {
-            Operation::Input(input) => compiled.specification.coefficients[*input].parameter == index,
-            _ => false,
-        };
-        let used = compiled.program.operations.iter().any(used);
+        let used = inputs.iter().any(|&input| compiled.specification.coefficients[input].parameter == index);
         let name = if used { ident(&parameter.name) } else { unused_name(kernel, &parameter.name) };
         let entity = entity_type(&definition.entities[parameter.entity]);
         quote!(#name: #entity)
     });
     record.into_iter().chain(own).collect()
+}
+
+/// The inputs that the emitted program names.
+fn inputs(compiled: &Compiled) -> Vec<usize> {
+    let of_lane = |source: Source| if let Source::Input(input) = source { Some(input) } else { None };
+    match &compiled.packed {
+        Some(packed) => {
+            let loads = packed.operations.iter().filter_map(|operation| match operation {
+                PackedOperation::Load(sources) => Some(*sources),
+                _ => None,
+            });
+            loads.flatten().filter_map(of_lane).collect()
+        }
+        None => {
+            let inputs = compiled.program.operations.iter();
+            inputs.filter_map(|o| if let Operation::Input(input) = o { Some(*input) } else { None }).collect()
+        }
+    }
 }
 
 /// A name with an underscore before it that no other parameter has.
@@ -178,6 +196,10 @@ fn documentation(definition: &Definition, compiled: &Compiled) -> Vec<String> {
         lines.push(String::new());
     }
     lines.push(format!("Cost: {}. Proof: {}.", Count::of(&compiled.program), compiled.proof));
+    if let Some(packed) = &compiled.packed {
+        lines.push(String::new());
+        lines.push(format!("Packed: {}.", packed.count()));
+    }
     if compiled.precision.is_some() {
         let used = compiled.program.polynomials().into_iter();
         let off = used.map(|(function, precision, _)| {

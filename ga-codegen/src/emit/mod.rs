@@ -6,6 +6,7 @@ mod entity;
 mod kernel;
 mod meaning;
 mod operators;
+mod packed;
 mod polynomial;
 mod scalar;
 

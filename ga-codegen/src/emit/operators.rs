@@ -3,6 +3,8 @@
 //!
 //! Where a type converts to another with the same fields (a unit plane to a plane), it can stand for that other in an
 //! operator for which no kernel of its own exists; the first suitable kernel of the block is taken.
+//!
+//! Of a packed kernel the operator calls the packed function for numbers whose arithmetic on four lanes is fast.
 
 use super::{entity_type, ident};
 use crate::kernel::{Definition, ExpressionKind, Kernel, Operator};
@@ -92,12 +94,19 @@ fn implementation(definition: &Definition, kernel: &Kernel, operator: Operator, 
     let types = [a, b, kernel.output].map(|entity| entity_type(&definition.entities[entity]));
     let [a, b, output] = types;
     let name = ident(&kernel.name);
+    let mut result = quote!(kernels::#name(#left, #right));
+    if kernel.packed.is_some() {
+        let packed = ident(&kernel.packed_name());
+        result = quote! {
+            if T::Four::IS_FAST { kernels::#packed(#left, #right) } else { #result }
+        };
+    }
     quote! {
         impl<T: Scalar> core::ops::#operator_trait<#b> for #a {
             type Output = #output;
             #[inline]
             fn #method(self, other: #b) -> #output {
-                kernels::#name(#left, #right)
+                #result
             }
         }
     }

@@ -6,14 +6,32 @@ use quote::quote;
 
 /// The import of the named module, or a module `scalar` with the traits and its import.
 pub(super) fn module(definition: &Definition) -> TokenStream {
+    let is_packed = definition.kernels.iter().any(|kernel| kernel.packed.is_some());
+    let four = is_packed.then(|| quote!(Four,));
     if let Some(path) = &definition.scalar_path {
         return quote! {
-            use #path::{Real, Scalar};
+            use #path::{#four Real, Scalar};
         };
     }
-    let (f32, f64) = (implementation(quote!(f32)), implementation(quote!(f64)));
+    let type_of_four = is_packed.then(|| {
+        quote! {
+            /// Four of them side by side.
+            type Four: Four<Self>;
+        }
+    });
+    let (array, lanes_module) = if is_packed {
+        (
+            quote!(
+                type Four = Array4<Self>;
+            ),
+            lanes(),
+        )
+    } else {
+        Default::default()
+    };
+    let (f32, f64) = (implementation(quote!(f32), &array), implementation(quote!(f64), &array));
     quote! {
-        use self::scalar::{Real, Scalar};
+        use self::scalar::{#four Real, Scalar};
 
         /// What the generated code asks of its numbers.
         pub mod scalar {
@@ -23,6 +41,7 @@ pub(super) fn module(definition: &Definition) -> TokenStream {
             pub trait Scalar:
                 Copy + PartialEq + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
             {
+                #type_of_four
                 /// 0
                 const ZERO: Self;
                 /// 1
@@ -72,16 +91,81 @@ pub(super) fn module(definition: &Definition) -> TokenStream {
                 }
             }
 
+            #lanes_module
             #f32
             #f64
         }
     }
 }
 
+/// Arithmetic on four lanes, for packed kernels.
+fn lanes() -> TokenStream {
+    let operator = |name: TokenStream, method: TokenStream| {
+        quote! {
+            impl<S: Scalar> #name for Array4<S> {
+                type Output = Self;
+                #[inline]
+                fn #method(self, other: Self) -> Self {
+                    let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
+                    Self([a.#method(e), b.#method(f), c.#method(g), d.#method(h)])
+                }
+            }
+        }
+    };
+    let (add, sub, mul) =
+        (operator(quote!(Add), quote!(add)), operator(quote!(Sub), quote!(sub)), operator(quote!(Mul), quote!(mul)));
+    quote! {
+        /// Four numbers side by side, for packed kernels.
+        pub trait Four<S>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+            /// Whether arithmetic on them is faster than on four numbers one by one, so that operators call packed kernels.
+            const IS_FAST: bool;
+            /// The value with these lanes.
+            fn new(lanes: [S; 4]) -> Self;
+            /// The lanes.
+            fn to_array(self) -> [S; 4];
+            /// In every lane the one that two bits of the mask name, the lowest for lane 0.
+            fn shuffle<const MASK: i32>(self) -> Self;
+            /// The lanes negated whose bits of the mask are set, the lowest that of lane 0.
+            fn negate<const MASK: i32>(self) -> Self;
+        }
+
+        /// Four numbers in an array, whatever they are.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Array4<S>(pub [S; 4]);
+
+        impl<S: Scalar> Four<S> for Array4<S> {
+            const IS_FAST: bool = false;
+            #[inline]
+            fn new(lanes: [S; 4]) -> Self {
+                Self(lanes)
+            }
+            #[inline]
+            fn to_array(self) -> [S; 4] {
+                self.0
+            }
+            #[inline]
+            fn shuffle<const MASK: i32>(self) -> Self {
+                Self([0, 2, 4, 6].map(|place| self.0[(MASK >> place & 3) as usize]))
+            }
+            #[inline]
+            fn negate<const MASK: i32>(self) -> Self {
+                let [a, b, c, d] = self.0;
+                let lane = |place: i32, x: S| if MASK >> place & 1 == 1 { -x } else { x };
+                Self([lane(0, a), lane(1, b), lane(2, c), lane(3, d)])
+            }
+        }
+
+        #add
+        #sub
+        #mul
+    }
+}
+
 /// The functions are named by their full path, so that a crate without std is refused and not sent into a recursion.
-fn implementation(float: TokenStream) -> TokenStream {
+fn implementation(float: TokenStream, array: &TokenStream) -> TokenStream {
     quote! {
         impl Scalar for #float {
+            #array
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             fn from_ratio(numerator: i32, denominator: i32) -> Self {

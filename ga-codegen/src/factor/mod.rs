@@ -1,8 +1,10 @@
 //! From a specification to a cheap program. Nothing here is trusted: whatever comes out is proved before it is emitted,
 //! so this part may be as clever as it likes.
 
+mod arrange;
 mod cube;
 mod extract;
+mod packed;
 mod recipe;
 mod search;
 mod starting;
@@ -11,7 +13,7 @@ mod system;
 
 use crate::approximation::Precision;
 use crate::kernel::{Analytic, Specification};
-use crate::program::{CostModel, Count, Program, Recipe};
+use crate::program::{CostModel, Count, PackedProgram, PackedRecipe, Program, Recipe};
 use crate::symbolic::{Overflow, Polynomial};
 pub use search::Search;
 use std::fmt;
@@ -95,6 +97,25 @@ pub fn read_recipe(specification: &Specification, text: &str) -> Result<Program,
 /// A program of sums and products as a recipe, in the syntax of a definition block.
 pub fn write_recipe(specification: &Specification, program: &Program, kernel: &str, model: CostModel) -> String {
     recipe::write(specification, program, kernel, model)
+}
+
+/// The program that a packed recipe describes, not proved.
+///
+/// # Errors
+/// What does not fit: a name that is neither an input nor an earlier row, or an output that is missing.
+pub fn replay_packed(specification: &Specification, recipe: &PackedRecipe) -> Result<PackedProgram, String> {
+    packed::replay(specification, recipe)
+}
+
+/// A packed program as a recipe, in the syntax of a definition block.
+pub fn write_packed_recipe(specification: &Specification, program: &PackedProgram, kernel: &str) -> String {
+    packed::write(specification, program, kernel)
+}
+
+/// Finds a packed program with few shuffles for a product; `None` where the definition is not one of two parameters, or has
+/// no groups of four coefficients that fit each other. It takes seconds.
+pub fn pack(specification: &Specification) -> Option<PackedProgram> {
+    arrange::arrange(specification)
 }
 
 /// The program that evaluates polynomials in the inputs, for what is no kernel: the excess of a type's relations.

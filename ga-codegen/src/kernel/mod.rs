@@ -15,7 +15,7 @@ pub use specification::{Analytic, Coefficient, Specification, SpecificationError
 
 use crate::algebra::Basis;
 use crate::approximation::Precision;
-use crate::program::{CostModel, Recipe};
+use crate::program::{CostModel, PackedRecipe, Recipe};
 use proc_macro2::{Span, TokenStream};
 
 /// An input of a kernel.
@@ -51,6 +51,8 @@ pub struct Kernel {
     /// What its programs are to be cheap in; the first is emitted under the kernel's name, the others under
     /// `NAME_MODEL`.
     pub models: Vec<CostModel>,
+    /// Where it asks to be emitted on values of four lanes as well, under `NAME_packed`.
+    pub packed: Option<Span>,
     /// The precisions in which it is emitted with polynomials in place of functions as well, under `NAME_PRECISION`.
     pub polynomial: Vec<Precision>,
     /// Where the name stands.
@@ -65,6 +67,11 @@ impl Kernel {
     pub fn has_program(&self, name: &str, model: CostModel) -> bool {
         let part = self.hoist.as_ref().is_some_and(|hoist| hoist.prepare == name || hoist.apply == name);
         (self.name == name && self.models.contains(&model)) || (part && self.models.first() == Some(&model))
+    }
+
+    /// The name of its function on values of four lanes.
+    pub fn packed_name(&self) -> String {
+        format!("{}_packed", self.name)
     }
 
     /// The definition as it is written.
@@ -89,6 +96,8 @@ pub struct Definition {
     pub kernels: Vec<Kernel>,
     /// Programs that were searched for before.
     pub recipes: Vec<Recipe>,
+    /// The same on values of four lanes.
+    pub packed_recipes: Vec<PackedRecipe>,
     /// The path of the module that has the traits `Scalar` and `Real`; where there is none they are emitted too.
     pub scalar_path: Option<TokenStream>,
     /// The name under which the list of kernels is exported as a macro.
@@ -104,6 +113,11 @@ impl Definition {
     /// The recipe for a kernel and a cost model.
     pub fn recipe(&self, kernel: &str, model: CostModel) -> Option<&Recipe> {
         self.recipes.iter().find(|recipe| recipe.kernel == kernel && recipe.model == model)
+    }
+
+    /// The packed recipe for a kernel.
+    pub fn packed_recipe(&self, kernel: &str) -> Option<&PackedRecipe> {
+        self.packed_recipes.iter().find(|recipe| recipe.kernel == kernel)
     }
 
     /// The entity of that name.

@@ -6,6 +6,7 @@ mod cost;
 mod count;
 mod evaluate;
 mod operands;
+mod packed;
 mod recipe;
 
 pub use bound::{Bound, BoundTerm, Group, GroupBound, Norm};
@@ -14,7 +15,8 @@ pub use cost::CostModel;
 pub use count::Count;
 pub use evaluate::{Domain, FloatDomain};
 pub use operands::Operands;
-pub use recipe::{Recipe, RecipeTerm};
+pub use packed::{LANES, PackedCount, PackedOperation, PackedProgram, Source};
+pub use recipe::{PackedRecipe, PackedRow, PackedSource, PackedTerm, Recipe, RecipeTerm};
 
 use crate::approximation::{Function, Precision};
 use crate::symbolic::Rational;

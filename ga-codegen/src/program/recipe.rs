@@ -1,6 +1,6 @@
 //! Programs that a search has found, written down row by row.
 
-use super::CostModel;
+use super::{CostModel, LANES};
 use crate::symbolic::Rational;
 use proc_macro2::Span;
 
@@ -34,4 +34,52 @@ pub enum RecipeTerm {
     Sub(Box<RecipeTerm>, Box<RecipeTerm>),
     /// a * b
     Mul(Box<RecipeTerm>, Box<RecipeTerm>),
+}
+
+/// The rows of a program on four lanes.
+#[derive(Clone, Debug)]
+pub struct PackedRecipe {
+    /// The kernel.
+    pub kernel: String,
+    /// The rows in order.
+    pub rows: Vec<PackedRow>,
+    /// Where the kernel's name stands.
+    pub span: Span,
+}
+
+/// A row of a packed recipe.
+#[derive(Clone, Debug)]
+pub enum PackedRow {
+    /// A name and its value.
+    Named(String, PackedTerm),
+    /// The fields of the output that the lanes of a value are.
+    Outputs([Option<String>; LANES], PackedTerm),
+}
+
+/// A value of four lanes in a recipe, grouped as written.
+#[derive(Clone, Debug)]
+pub enum PackedTerm {
+    /// An earlier row.
+    Name(String),
+    /// `[a.s, a.e23, 0, 1]`
+    Load([PackedSource; LANES]),
+    /// `v[-0, 1, 3, 2]`: which lanes of the value, and which of them negated.
+    Lanes(Box<PackedTerm>, [(bool, u8); LANES]),
+    /// 2 a
+    Double(Box<PackedTerm>),
+    /// a + b
+    Add(Box<PackedTerm>, Box<PackedTerm>),
+    /// a - b
+    Sub(Box<PackedTerm>, Box<PackedTerm>),
+    /// a * b
+    Mul(Box<PackedTerm>, Box<PackedTerm>),
+}
+
+/// What a lane is loaded with.
+#[derive(Clone, Debug)]
+pub enum PackedSource {
+    /// An input coefficient such as `m.e23`.
+    Name(String),
+    /// A number.
+    Number(Rational),
 }

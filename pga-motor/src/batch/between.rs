@@ -261,20 +261,20 @@ impl<S: Real, P: Polynomials> OnBlock<Pair<S>, Motor<S>> for Screws<P> {
         let Self(polynomials) = *self;
         let mut steps = Motor::<S>::IDENTITY.splat::<LANES>();
         let mut failures = [0_u32; LANES];
-        for lane in 0..lanes.get() {
+        for lane in lanes.range() {
             let Pair { a, b, .. } = pair(lane);
             let step = kernels::motor_mul_motor_fma(a.reverse(), b).short_way();
             failures[lane] = u32::from(!polynomials.log_holds(step));
             step.put(&mut steps, lane);
         }
         let mut generators = Line::<S>::ZERO.splat::<LANES>();
-        for lane in 0..lanes.get() {
+        for lane in lanes.range() {
             (polynomials.log(Motor::<S>::get(&steps, lane)) * pair(lane).t).put(&mut generators, lane);
         }
-        for lane in 0..lanes.get() {
+        for lane in lanes.range() {
             polynomials.exp(Line::<S>::get(&generators, lane)).put(&mut steps, lane);
         }
-        for lane in 0..lanes.get() {
+        for lane in lanes.range() {
             put(lane, kernels::motor_mul_motor_fma(pair(lane).a, Motor::<S>::get(&steps, lane)));
         }
         for_failures(&failures, |lane| {
@@ -295,7 +295,7 @@ impl<S: Real, P: Polynomials, const SPLIT: bool> OnBlock<Pair<S>, Motor<S>> for 
         let mut signs = [S::ONE; LANES];
         let mut angles = [S::ZERO; LANES];
         let mut failures = [0_u32; LANES];
-        for lane in 0..lanes.get() {
+        for lane in lanes.range() {
             let Pair { a, b, .. } = pair(lane);
             let turn = Motor::from(kernels::rotor_mul_rotor(a.rotor().reverse(), b.rotor()));
             signs[lane] = sign_of(turn.s);
@@ -303,13 +303,13 @@ impl<S: Real, P: Polynomials, const SPLIT: bool> OnBlock<Pair<S>, Motor<S>> for 
             angles[lane] = kernels::line_norm_squared(polynomials.log(turn.short_way())).sqrt();
         }
         let (mut of_a, mut of_b) = ([S::ONE; LANES], [S::ONE; LANES]);
-        for lane in 0..lanes.get() {
+        for lane in lanes.range() {
             let (angle, t) = (angles[lane], pair(lane).t);
             let (rest, whole) = (S::ONE - t, S::ONE / sinc(polynomials, angle));
             of_a[lane] = rest * sinc(polynomials, rest * angle) * whole;
             of_b[lane] = t * sinc(polynomials, t * angle) * whole * signs[lane];
         }
-        for lane in 0..lanes.get() {
+        for lane in lanes.range() {
             let pair = pair(lane);
             let (of_a, of_b) = (of_a[lane], of_b[lane]);
             put(lane, if SPLIT { split(pair, of_a, of_b) } else { weighted_and_normalized(pair, of_a, of_b) });

@@ -4,6 +4,8 @@
 //! these functions' instructions allow. There are no copies by hand. What is done is given twice, for the numbers themselves and for
 //! those that fuse products with sums: one function, generic over its numbers, which the call of it tells apart.
 
+use core::ops::Range;
+
 use super::Lanewise;
 use super::blocks::LANES;
 use super::lanes::sealed::Fusible;
@@ -28,10 +30,10 @@ impl LaneCount {
         Self(core::hint::black_box(LANES))
     }
 
-    /// Within a block, and in whole registers, as the compiler can see.
+    /// The lanes: within a block, and in whole registers, as the compiler can see.
     #[inline(always)]
-    pub(crate) fn get(self) -> usize {
-        self.0.min(LANES) & !(LANES - 1)
+    pub(crate) fn range(self) -> Range<usize> {
+        0..self.0.min(LANES) & !(LANES - 1)
     }
 }
 
@@ -39,7 +41,7 @@ impl LaneCount {
 impl<A, R, F: Fn(A) -> R> OnBlock<A, R> for F {
     #[inline(always)]
     fn run(&self, lanes: LaneCount, item: impl Fn(usize) -> A, mut put: impl FnMut(usize, R)) {
-        for lane in 0..lanes.get() {
+        for lane in lanes.range() {
             put(lane, self(item(lane)));
         }
     }
@@ -56,7 +58,7 @@ impl<A: Copy, R, Q: Fn(A) -> R, H: Fn(A) -> bool, E: Fn(A) -> R> OnBlock<A, R> f
     #[inline(always)]
     fn run(&self, lanes: LaneCount, item: impl Fn(usize) -> A, mut put: impl FnMut(usize, R)) {
         let mut failures = [0_u32; LANES];
-        for lane in 0..lanes.get() {
+        for lane in lanes.range() {
             let item = item(lane);
             put(lane, (self.quick)(item));
             failures[lane] = u32::from(!(self.holds)(item));

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Real, Scalar};
+use super::{Array4, Real, Scalar};
 
 /// A number whose [`Scalar::mul_add`] rounds once, [`Scalar::fused_mul_add`] of what it is made of. For code that is compiled for
 /// machines with an instruction for it, as batches are that run with AVX2 or AVX-512.
@@ -47,6 +47,7 @@ impl<T: Scalar> Neg for Fused<T> {
 }
 
 impl<T: Scalar> Scalar for Fused<T> {
+    type Four = Array4<Self>;
     const ZERO: Self = Self(T::ZERO);
     const ONE: Self = Self(T::ONE);
     #[inline(always)]

@@ -118,3 +118,45 @@ fn norms_that_are_not_finite<T: Real>() {
     let (_, greatest) = exponents::<T>();
     assert!(T::norm([two_to(greatest); 4]) == infinite, "the norm itself is beyond the range");
 }
+
+/// What four lanes give, as bits.
+fn bits(value: impl Four<f32>) -> [u32; 4] {
+    value.to_array().map(f32::to_bits)
+}
+
+#[test]
+fn four_lanes_in_a_register_are_those_in_an_array() {
+    let a = [1.5, -0.0, f32::MIN_POSITIVE / 4.0, -3e38];
+    let b = [0.1, 7.0, -2.0, -3e38];
+    let (x, y) = (<f32 as Scalar>::Four::new(a), <f32 as Scalar>::Four::new(b));
+    let (p, q) = (Array4(a), Array4(b));
+    assert_eq!((bits(x), bits(p)), (a.map(f32::to_bits), a.map(f32::to_bits)));
+    assert_eq!(bits(x + y), bits(p + q));
+    assert_eq!(bits(x - y), bits(p - q));
+    assert_eq!(bits(x * y), bits(p * q));
+    macro_rules! masks {
+        ($method:ident $($mask:literal)*) => {
+            $(assert_eq!(bits(x.$method::<$mask>()), bits(p.$method::<$mask>()), "{}", $mask);)*
+        };
+    }
+    masks! { shuffle 0b11_10_01_00 0b00_01_10_11 0b00_11_10_01 0b01_01_11_10 0b00_00_00_00 0b11_11_11_11 }
+    masks! { negate 0b0000 0b0001 0b0010 0b0100 0b1000 0b0111 0b1111 }
+    assert_eq!(bits(p.shuffle::<0b00_11_10_01>()), [a[1], a[2], a[3], a[0]].map(f32::to_bits));
+    assert_eq!(bits(p.negate::<0b0010>()), [a[0], -a[1], a[2], a[3]].map(f32::to_bits));
+}
+
+#[test]
+fn operators_call_what_is_fast() {
+    use crate::{Motor, kernels};
+
+    let a = Motor::new(0.3_f32, 0.1, -0.7, 0.9, 1.1, 0.2, -0.5, 0.6);
+    let b = Motor::new(0.7_f32, -0.3, 0.17, 0.19, 2.1, -0.9, 0.51, 0.23);
+    let (packed, scalar) = (kernels::motor_mul_motor_packed(a, b), kernels::motor_mul_motor(a, b));
+    assert_ne!(packed, scalar, "numbers that tell them apart");
+    // Its sign decides which way is short, in other kernels too.
+    assert_eq!(packed.s, scalar.s);
+    assert_eq!(a * b, if <f32 as Scalar>::Four::IS_FAST { packed } else { scalar });
+    assert_eq!(cfg!(target_arch = "x86_64"), <f32 as Scalar>::Four::IS_FAST);
+    let (a, b) = (a.map(f64::from), b.map(f64::from));
+    assert_eq!(a * b, kernels::motor_mul_motor(a, b));
+}

@@ -24,7 +24,7 @@ fn carry<T: Scalar>(
     parent: MotorBlock<T>,
     model: &mut MotorBlock<T>,
 ) {
-    for lane in 0..lanes.get() {
+    for lane in lanes.range() {
         model.put(lane, product(parent.get(lane), model.get(lane)));
     }
 }
