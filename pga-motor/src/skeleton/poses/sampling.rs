@@ -7,6 +7,9 @@ use crate::skeleton::clip::joint_between;
 use crate::skeleton::{Clip, Interpolation, JointModes, KeySpan, Wrap};
 use crate::{Motor, Real};
 
+/// A way between single motors.
+type SingleWay<T> = fn(Motor<T>, Motor<T>, T) -> Motor<T>;
+
 /// Where the times of a group of characters lie in a clip.
 pub(super) struct Spans<'a, T> {
     clip: &'a Clip<T>,
@@ -26,7 +29,7 @@ impl<'a, T: Real> Spans<'a, T> {
 
     /// Writes the group's local motors, one block for each joint.
     pub(super) fn sample(&self, interpolation: Interpolation, joints: &mut [MotorBlock<T>]) {
-        let (way, single): (_, fn(Motor<T>, Motor<T>, T) -> Motor<T>) = match interpolation {
+        let (way, single): (_, SingleWay<T>) = match interpolation {
             Interpolation::Step => return self.hold(joints),
             Interpolation::Nlerp => (Way::Nlerp, Motor::nlerp),
             Interpolation::Slerp => (Way::Slerp, Motor::slerp),
