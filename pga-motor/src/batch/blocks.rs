@@ -20,6 +20,22 @@ impl<E: Lanewise> Block<E> {
         Self(item.splat())
     }
 
+    /// Takes up at most [`LANES`] items; lanes past the last stay as they are.
+    #[inline(always)]
+    pub(crate) fn gather(&mut self, items: &[E]) {
+        for (i, &item) in items.iter().enumerate() {
+            self.put(i, item);
+        }
+    }
+
+    /// Writes the items of the first lanes, at most [`LANES`].
+    #[inline(always)]
+    pub(crate) fn scatter(&self, items: &mut [E]) {
+        for (i, item) in items.iter_mut().enumerate() {
+            *item = self.get(i);
+        }
+    }
+
     /// The item in a lane, which is below [`LANES`].
     #[inline(always)]
     pub(crate) fn get(&self, lane: usize) -> E {

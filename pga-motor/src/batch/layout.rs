@@ -7,11 +7,13 @@ use crate::Scalar;
 /// Items to be read, a block of [`LANES`] at a time.
 pub(super) trait Source {
     type Item: Copy + Fusible;
-    type Block: Lanes<Item = Self::Item>;
+    /// Room for a block, where items have to be brought side by side first.
+    type Room;
 
     fn len(&self) -> usize;
-    /// The items in order; lanes past the end hold any of the items.
-    fn blocks(self) -> impl Iterator<Item = Self::Block>;
+    fn room(&self) -> Self::Room;
+    /// The items of a block, of which there is at least one; lanes past the end hold any of the items.
+    fn block<'a>(&'a self, block: usize, room: &'a mut Self::Room) -> impl Lanes<Item = Self::Item>;
 }
 
 /// A block of items.
@@ -24,32 +26,56 @@ pub(super) trait Lanes {
 /// Places for results.
 pub(super) trait Sink {
     type Item: Lanewise;
+    /// Room for a block, where results stand side by side first.
+    type Room;
 
     fn len(&self) -> usize;
-    /// The places, block by block.
-    fn blocks(self) -> impl Iterator<Item: Places<Self::Item>>;
-}
-
-/// A block of places.
-pub(super) trait Places<R: Lanewise> {
-    /// The lanes, all of which are to be written.
-    fn lanes(&mut self) -> &mut R::Lanes<LANES>;
+    fn room(&self) -> Self::Room;
+    /// The lanes of a block, of which there is at least one, all to be written.
+    fn lanes<'a>(
+        &'a mut self,
+        block: usize,
+        room: &'a mut Self::Room,
+    ) -> &'a mut <Self::Item as Lanewise>::Lanes<LANES>;
     /// Brings what was written to where it belongs.
-    fn finish(self);
+    fn finish(&mut self, block: usize, room: &Self::Room);
 }
 
-impl<'a, E: Lanewise> Source for &'a Blocks<E> {
+impl<E: Lanewise> Source for &Blocks<E> {
     type Item = E;
-    type Block = &'a Block<E>;
+    type Room = ();
 
     fn len(&self) -> usize {
         Blocks::len(self)
     }
 
     #[inline(always)]
-    fn blocks(self) -> impl Iterator<Item = Self::Block> {
-        self.blocks.iter()
+    fn room(&self) {}
+
+    #[inline(always)]
+    fn block<'a>(&'a self, block: usize, (): &'a mut ()) -> impl Lanes<Item = E> {
+        &self.blocks[block]
     }
+}
+
+impl<E: Lanewise> Sink for &mut Blocks<E> {
+    type Item = E;
+    type Room = ();
+
+    fn len(&self) -> usize {
+        Blocks::len(self)
+    }
+
+    #[inline(always)]
+    fn room(&self) {}
+
+    #[inline(always)]
+    fn lanes<'a>(&'a mut self, block: usize, (): &'a mut ()) -> &'a mut E::Lanes<LANES> {
+        &mut self.blocks[block].0
+    }
+
+    #[inline(always)]
+    fn finish(&mut self, _block: usize, (): &()) {}
 }
 
 impl<E: Lanewise> Lanes for &Block<E> {
@@ -61,104 +87,75 @@ impl<E: Lanewise> Lanes for &Block<E> {
     }
 }
 
-impl<E: Lanewise> Sink for &mut Blocks<E> {
-    type Item = E;
-
-    fn len(&self) -> usize {
-        Blocks::len(self)
-    }
-
-    #[inline(always)]
-    fn blocks(self) -> impl Iterator<Item: Places<E>> {
-        self.blocks.iter_mut()
-    }
+/// The items of a slice that make a block.
+#[inline(always)]
+fn of_block(block: usize, len: usize) -> core::ops::Range<usize> {
+    block * LANES..len.min((block + 1) * LANES)
 }
 
-impl<E: Lanewise> Places<E> for &mut Block<E> {
-    #[inline(always)]
-    fn lanes(&mut self) -> &mut E::Lanes<LANES> {
-        &mut self.0
-    }
-
-    #[inline(always)]
-    fn finish(self) {}
-}
-
-/// Items of a slice are brought side by side first.
 impl<E: Lanewise> Source for &[E] {
     type Item = E;
-    type Block = Block<E>;
+    type Room = Option<Block<E>>;
 
     fn len(&self) -> usize {
         <[E]>::len(self)
     }
 
     #[inline(always)]
-    fn blocks(self) -> impl Iterator<Item = Block<E>> {
-        self.chunks(LANES).map(|items| {
-            let mut block = Block(items[0].splat());
-            for (lane, item) in items.iter().enumerate() {
-                item.put(&mut block.0, lane);
-            }
-            block
-        })
+    fn room(&self) -> Self::Room {
+        self.first().map(|&item| Block::of(item))
     }
-}
-
-impl<E: Lanewise> Lanes for Block<E> {
-    type Item = E;
 
     #[inline(always)]
-    fn get(&self, lane: usize) -> E {
-        E::get(&self.0, lane)
+    fn block<'a>(&'a self, block: usize, room: &'a mut Self::Room) -> impl Lanes<Item = E> {
+        let room = room.as_mut().expect("invariant: there is an item");
+        room.gather(&self[of_block(block, self.len())]);
+        &*room
     }
 }
 
 impl<E: Lanewise> Sink for &mut [E] {
     type Item = E;
+    type Room = Option<Block<E>>;
 
     fn len(&self) -> usize {
         <[E]>::len(self)
     }
 
     #[inline(always)]
-    fn blocks(self) -> impl Iterator<Item: Places<E>> {
-        self.chunks_mut(LANES).map(|places| Scattered { lanes: places[0].splat(), places })
-    }
-}
-
-/// Results side by side, and where they go.
-struct Scattered<'a, E: Lanewise> {
-    lanes: E::Lanes<LANES>,
-    places: &'a mut [E],
-}
-
-impl<E: Lanewise> Places<E> for Scattered<'_, E> {
-    #[inline(always)]
-    fn lanes(&mut self) -> &mut E::Lanes<LANES> {
-        &mut self.lanes
+    fn room(&self) -> Self::Room {
+        self.first().map(|&item| Block::of(item))
     }
 
     #[inline(always)]
-    fn finish(self) {
-        for (lane, place) in self.places.iter_mut().enumerate() {
-            *place = E::get(&self.lanes, lane);
-        }
+    fn lanes<'a>(&'a mut self, _block: usize, room: &'a mut Self::Room) -> &'a mut E::Lanes<LANES> {
+        &mut room.as_mut().expect("invariant: there is a place").0
+    }
+
+    #[inline(always)]
+    fn finish(&mut self, block: usize, room: &Self::Room) {
+        let (room, len) = (room.as_ref().expect("invariant: there is a place"), self.len());
+        room.scatter(&mut self[of_block(block, len)]);
     }
 }
 
 /// The items of two lists, pair by pair; the first says how many.
 impl<A: Source, B: Source> Source for (A, B) {
     type Item = (A::Item, B::Item);
-    type Block = (A::Block, B::Block);
+    type Room = (A::Room, B::Room);
 
     fn len(&self) -> usize {
         self.0.len()
     }
 
     #[inline(always)]
-    fn blocks(self) -> impl Iterator<Item = Self::Block> {
-        self.0.blocks().zip(self.1.blocks())
+    fn room(&self) -> Self::Room {
+        (self.0.room(), self.1.room())
+    }
+
+    #[inline(always)]
+    fn block<'a>(&'a self, block: usize, room: &'a mut Self::Room) -> impl Lanes<Item = Self::Item> {
+        (self.0.block(block, &mut room.0), self.1.block(block, &mut room.1))
     }
 }
 
@@ -177,15 +174,18 @@ pub(crate) struct Same<T>(pub(super) T);
 
 impl<T: Scalar> Source for Same<T> {
     type Item = Self;
-    type Block = Self;
+    type Room = ();
 
     fn len(&self) -> usize {
         usize::MAX
     }
 
     #[inline(always)]
-    fn blocks(self) -> impl Iterator<Item = Self> {
-        core::iter::repeat(self)
+    fn room(&self) {}
+
+    #[inline(always)]
+    fn block<'a>(&'a self, _block: usize, (): &'a mut ()) -> impl Lanes<Item = Self> {
+        *self
     }
 }
 

@@ -9,7 +9,7 @@ use core::ops::Range;
 use super::Lanewise;
 use super::blocks::LANES;
 use super::lanes::sealed::Fusible;
-use super::layout::{Lanes, Places, Sink, Source};
+use super::layout::{Lanes, Sink, Source};
 use crate::LengthMismatch;
 use crate::instructions::{Work, dispatch};
 use crate::slices::check_lengths;
@@ -94,25 +94,29 @@ where
     #[inline(always)]
     fn run(self) {
         // In registers, where no result can be taken for a part of it.
-        let (function, lanes) = (self.plain, LaneCount::new());
-        for (items, mut places) in self.source.blocks().zip(self.sink.blocks()) {
-            let results = places.lanes();
+        let Self { source, mut sink, plain: function, .. } = self;
+        let (lanes, mut room, mut sink_room) = (LaneCount::new(), source.room(), sink.room());
+        for block in 0..sink.len().div_ceil(LANES) {
+            let items = source.block(block, &mut room);
+            let results = sink.lanes(block, &mut sink_room);
             function.run(lanes, |lane| items.get(lane), |lane, result| result.put(results, lane));
-            places.finish();
+            sink.finish(block, &sink_room);
         }
     }
 
     #[inline(always)]
     fn run_fused(self) {
-        let (function, lanes) = (self.fused, LaneCount::new());
-        for (items, mut places) in self.source.blocks().zip(self.sink.blocks()) {
-            let results = places.lanes();
+        let Self { source, mut sink, fused: function, .. } = self;
+        let (lanes, mut room, mut sink_room) = (LaneCount::new(), source.room(), sink.room());
+        for block in 0..sink.len().div_ceil(LANES) {
+            let items = source.block(block, &mut room);
+            let results = sink.lanes(block, &mut sink_room);
             function.run(
                 lanes,
                 |lane| items.get(lane).fuse(),
                 |lane, result| D::Item::unfuse(result).put(results, lane),
             );
-            places.finish();
+            sink.finish(block, &sink_room);
         }
     }
 }

@@ -105,12 +105,12 @@ impl<T: Real> Sampling<'_, T> {
             }
             return;
         }
+        let (mut a, mut b) = (MotorBlock::of(Motor::IDENTITY), MotorBlock::of(Motor::IDENTITY));
+        let before = spans.spans.map(|span| spans.clip.joints_of(span.before));
+        let after = spans.spans.map(|span| spans.clip.joints_of(span.after));
         for (joint, block) in self.joints.iter_mut().enumerate() {
-            let (mut a, mut b) = (MotorBlock::of(Motor::IDENTITY), MotorBlock::of(Motor::IDENTITY));
-            for (lane, span) in spans.spans.iter().enumerate() {
-                a.put(lane, spans.key(span.before, joint));
-                b.put(lane, spans.key(span.after, joint));
-            }
+            a.gather(&before.map(|key| key[joint]));
+            b.gather(&after.map(|key| key[joint]));
             between(lanes, &a, &b, &fractions, block);
         }
     }
