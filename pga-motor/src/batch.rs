@@ -31,7 +31,7 @@ mod work;
 pub use crate::instructions::InstructionSet;
 #[cfg(feature = "std")]
 pub use crate::instructions::with_instruction_set;
-pub(crate) use between::{Pair, Travel, Way, choose};
+pub(crate) use between::{Pair, Travel, Way, along_slices, between_slices, choose};
 pub use blocks::{Blocks, Iter, LANES};
 pub use lanes::Lanewise;
 pub(crate) use motors::product;

@@ -4,7 +4,7 @@ use super::Blocks;
 use super::blocks::LANES;
 use super::lanes::Lanewise;
 use super::layout::{Same, Sink, Source};
-use super::work::{LaneCount, OnBlock, for_failures, map};
+use super::work::{LaneCount, OnBlock, Quickly, for_failures, map};
 use crate::scalar::{Fused, Precision, precision};
 use crate::slices::check_lengths;
 use crate::{EvenMultivector, LengthMismatch, Line, Motor, Real, Translator, kernels, weights};
@@ -92,6 +92,18 @@ pub(crate) enum Way {
     Split,
 }
 
+impl Way {
+    /// The function of two motors and t.
+    pub(crate) fn of_one<T: Real>(self) -> fn(Motor<T>, Motor<T>, T) -> Motor<T> {
+        match self {
+            Self::Nlerp => Motor::nlerp,
+            Self::Slerp => Motor::slerp,
+            Self::Screw => Motor::screw_lerp,
+            Self::Split => Motor::split_lerp,
+        }
+    }
+}
+
 /// Two motors, and how much of the way from the first to the second has passed.
 #[derive(Clone, Copy)]
 pub(crate) struct Pair<S> {
@@ -129,15 +141,44 @@ pub(crate) fn choose<T: Real, V: Travel<T>>(way: Way, all_between: bool, travell
         (Way::Split, Precision::Double) if all_between => {
             traveller.travel(Arcs::<_, true>(Double), Arcs::<_, true>(Double))
         }
-        (Way::Nlerp, _) => traveller.travel(|p: Pair<T>| p.a.nlerp(p.b, p.t), |p: Pair<_>| p.a.nlerp(p.b, p.t)),
-        (Way::Slerp, _) => traveller.travel(|p: Pair<T>| p.a.slerp(p.b, p.t), |p: Pair<_>| p.a.slerp(p.b, p.t)),
-        (Way::Screw, _) => {
-            traveller.travel(|p: Pair<T>| p.a.screw_lerp(p.b, p.t), |p: Pair<_>| p.a.screw_lerp(p.b, p.t))
-        }
-        (Way::Split, _) => {
-            traveller.travel(|p: Pair<T>| p.a.split_lerp(p.b, p.t), |p: Pair<_>| p.a.split_lerp(p.b, p.t))
+        _ => {
+            let (plain, fused) = (way.of_one(), way.of_one());
+            traveller.travel(|p: Pair<T>| plain(p.a, p.b, p.t), |p: Pair<_>| fused(p.a, p.b, p.t))
         }
     }
+}
+
+/// Writes the motors between those of slices of one length.
+pub(crate) fn between_slices<T: Real>(way: Way, a: &[Motor<T>], b: &[Motor<T>], t: T, motors: &mut [Motor<T>]) {
+    let done = between(way, a, b, t, motors);
+    debug_assert!(done.is_ok(), "slices of one length");
+}
+
+/// Writes the motors a exp(t l) for slices of one length, t from 0 to 1.
+pub(crate) fn along_slices<T: Real>(a: &[Motor<T>], generators: &[Line<T>], t: T, motors: &mut [Motor<T>]) {
+    let items = ((a, generators), Same(t));
+    let done = match precision::<T>() {
+        Precision::Single => map(items, motors, along(Single), along(Single)),
+        Precision::Double => map(items, motors, along(Double), along(Double)),
+        Precision::Finer => map(items, motors, carried::<T>, carried::<Fused<T>>),
+    };
+    debug_assert!(done.is_ok(), "slices of one length");
+}
+
+type Generated<S> = ((Motor<S>, Line<S>), Same<S>);
+
+fn along<S: Real>(polynomials: impl Polynomials) -> impl OnBlock<Generated<S>, Motor<S>> {
+    Quickly {
+        quick: move |((a, generator), Same(t)): Generated<S>| {
+            kernels::motor_mul_motor_fma(a, polynomials.exp(generator * t))
+        },
+        holds: move |((_, generator), Same(t)): Generated<S>| polynomials.exp_holds(generator * t),
+        exact: carried,
+    }
+}
+
+fn carried<S: Real>(((a, generator), Same(t)): Generated<S>) -> Motor<S> {
+    a * (generator * t).exp()
 }
 
 fn between<T: Real>(
@@ -219,6 +260,7 @@ trait Polynomials: Copy {
     fn log<S: Real>(self, motor: Motor<S>) -> Line<S>;
     fn log_holds<S: Real>(self, motor: Motor<S>) -> bool;
     fn exp<S: Real>(self, line: Line<S>) -> Motor<S>;
+    fn exp_holds<S: Real>(self, line: Line<S>) -> bool;
 }
 
 /// For `f32`.
@@ -230,7 +272,7 @@ struct Single;
 struct Double;
 
 macro_rules! polynomials {
-    ($precision:ident: $log:ident $holds:ident $exp:ident) => {
+    ($precision:ident: $log:ident $log_holds:ident $exp:ident $exp_holds:ident) => {
         impl Polynomials for $precision {
             #[inline(always)]
             fn log<S: Real>(self, motor: Motor<S>) -> Line<S> {
@@ -238,18 +280,22 @@ macro_rules! polynomials {
             }
             #[inline(always)]
             fn log_holds<S: Real>(self, motor: Motor<S>) -> bool {
-                kernels::$holds(motor)
+                kernels::$log_holds(motor)
             }
             #[inline(always)]
             fn exp<S: Real>(self, line: Line<S>) -> Motor<S> {
                 kernels::$exp(line)
             }
+            #[inline(always)]
+            fn exp_holds<S: Real>(self, line: Line<S>) -> bool {
+                kernels::$exp_holds(line)
+            }
         }
     };
 }
 
-polynomials!(Single: motor_log_f32 motor_log_f32_holds line_exp_f32);
-polynomials!(Double: motor_log_f64 motor_log_f64_holds line_exp_f64);
+polynomials!(Single: motor_log_f32 motor_log_f32_holds line_exp_f32 line_exp_f32_holds);
+polynomials!(Double: motor_log_f64 motor_log_f64_holds line_exp_f64 line_exp_f64_holds);
 
 /// a exp(t log(~a b)) at a t from 0 to 1, in stages: each is a loop of its own over the lanes, short enough to be inlined and to stay in
 /// registers.

@@ -1,6 +1,7 @@
 //! What a clip is at any time.
 
 use super::{Clip, ClipError, JointModes, KeyMode};
+use crate::batch::{self, Way};
 use crate::weights;
 use crate::{Motor, Real, Translator};
 
@@ -122,7 +123,8 @@ impl<T: Real> Clip<T> {
 
     /// Writes the local motors at a time in seconds, one for each joint. Nothing is allocated.
     ///
-    /// `interpolation` is for what the clip's modes interpolate; what they hold is held.
+    /// `interpolation` is for what the clip's modes interpolate; what they hold is held. Joints are worked on side by side, as by
+    /// [`Motor::nlerp_slice`] and its kin, so results are those of single motors up to the last digits. At a key they are the key's.
     ///
     /// # Errors
     /// [`ClipError::PoseLength`] where `pose` has not one motor for each joint of the clip, [`ClipError::SampleTime`] for a time
@@ -141,25 +143,32 @@ impl<T: Real> Clip<T> {
             pose.copy_from_slice(a);
             return Ok(());
         }
-        let between = |way: fn(Motor<T>, Motor<T>, T) -> Motor<T>, pose: &mut [Motor<T>]| {
-            let keys = a.iter().zip(b);
-            if self.all_linear {
-                pose.iter_mut().zip(keys).for_each(|(local, (&a, &b))| *local = way(a, b, fraction));
-            } else {
-                let keys = keys.zip(self.modes());
-                pose.iter_mut().zip(keys).for_each(|(local, ((&a, &b), &modes))| {
-                    *local = joint_between(modes, way, a, b, fraction);
-                });
+        let way = match interpolation {
+            Interpolation::Step => {
+                pose.copy_from_slice(a);
+                return Ok(());
             }
+            Interpolation::Nlerp => Way::Nlerp,
+            Interpolation::Slerp => Way::Slerp,
+            Interpolation::Screw => Way::Screw,
+            Interpolation::Split => Way::Split,
         };
-        match interpolation {
-            Interpolation::Step => pose.copy_from_slice(a),
-            Interpolation::Nlerp => between(Motor::nlerp, pose),
-            Interpolation::Slerp => between(Motor::slerp, pose),
-            Interpolation::Screw => between(Motor::screw_lerp, pose),
-            Interpolation::Split => between(Motor::split_lerp, pose),
-        }
+        batch::between_slices(way, a, b, fraction, pose);
+        self.hold_parts(way, a, b, fraction, pose);
         Ok(())
+    }
+}
+
+impl<T: Real> Clip<T> {
+    /// Replaces the joints of which a part holds its key.
+    pub(super) fn hold_parts(&self, way: Way, a: &[Motor<T>], b: &[Motor<T>], fraction: T, pose: &mut [Motor<T>]) {
+        if self.all_linear {
+            return;
+        }
+        let joints = self.modes().iter().enumerate().filter(|(_, modes)| **modes != JointModes::default());
+        for (joint, &modes) in joints {
+            pose[joint] = joint_between(modes, way.of_one(), a[joint], b[joint], fraction);
+        }
     }
 }
 

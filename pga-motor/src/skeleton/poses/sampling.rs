@@ -7,9 +7,6 @@ use crate::skeleton::clip::joint_between;
 use crate::skeleton::{Clip, Interpolation, JointModes, KeySpan, Wrap};
 use crate::{Motor, Real};
 
-/// A way between single motors.
-type SingleWay<T> = fn(Motor<T>, Motor<T>, T) -> Motor<T>;
-
 /// Where the times of a group of characters lie in a clip.
 pub(super) struct Spans<'a, T> {
     clip: &'a Clip<T>,
@@ -29,12 +26,12 @@ impl<'a, T: Real> Spans<'a, T> {
 
     /// Writes the group's local motors, one block for each joint.
     pub(super) fn sample(&self, interpolation: Interpolation, joints: &mut [MotorBlock<T>]) {
-        let (way, single): (_, SingleWay<T>) = match interpolation {
+        let way = match interpolation {
             Interpolation::Step => return self.hold(joints),
-            Interpolation::Nlerp => (Way::Nlerp, Motor::nlerp),
-            Interpolation::Slerp => (Way::Slerp, Motor::slerp),
-            Interpolation::Screw => (Way::Screw, Motor::screw_lerp),
-            Interpolation::Split => (Way::Split, Motor::split_lerp),
+            Interpolation::Nlerp => Way::Nlerp,
+            Interpolation::Slerp => Way::Slerp,
+            Interpolation::Screw => Way::Screw,
+            Interpolation::Split => Way::Split,
         };
         choose(way, true, Sampling { spans: self, joints: &mut *joints });
         // The few joints of which a part holds its key.
@@ -43,7 +40,7 @@ impl<'a, T: Real> Spans<'a, T> {
         {
             for (lane, span) in self.spans.iter().enumerate() {
                 let (a, b) = (self.key(span.before, joint), self.key(span.after, joint));
-                joints[joint].put(lane, joint_between(modes, single, a, b, span.fraction));
+                joints[joint].put(lane, joint_between(modes, way.of_one(), a, b, span.fraction));
             }
         }
     }
