@@ -23,6 +23,7 @@ pub(super) const WORKLOADS: &[Workload] = &[
         contenders: || {
             vec![
                 in_blocks("Blocks<Motor>", Blocks::nlerp_into),
+                in_slices("ours, arrays of structs", Motor::nlerp_slice),
                 between("ours, one by one", Agreement::Whole, Motor::nlerp),
                 between("ultraviolet x8 lerp", Agreement::Turns, lerp_x8),
                 between("glam Quat lerp, Vec3 lerp", Agreement::Turns, lerp_parts),
@@ -33,12 +34,27 @@ pub(super) const WORKLOADS: &[Workload] = &[
         },
     },
     Workload {
+        name: "slerp",
+        items: COUNT,
+        tolerance: SINGLE,
+        contenders: || {
+            vec![
+                in_blocks("Blocks<Motor>", Blocks::slerp_into),
+                in_slices("ours, arrays of structs", Motor::slerp_slice),
+                between("ours, one by one", Agreement::Whole, Motor::slerp),
+                between("ultraviolet x8 slerp, lerp", Agreement::Turns, slerp_x8),
+                between("glam Quat slerp, Vec3 lerp", Agreement::Turns, slerp_parts),
+            ]
+        },
+    },
+    Workload {
         name: "screw_lerp",
         items: COUNT,
         tolerance: SINGLE,
         contenders: || {
             vec![
                 in_blocks("Blocks<Motor>", Blocks::screw_lerp_into),
+                in_slices("ours, arrays of structs", Motor::screw_lerp_slice),
                 between("ours, one by one", Agreement::Whole, Motor::screw_lerp),
                 between("ultraviolet x8 slerp, lerp", Agreement::Turns, slerp_x8),
                 between("glam Quat slerp, Vec3 lerp", Agreement::Turns, slerp_parts),
@@ -56,7 +72,9 @@ pub(super) const WORKLOADS: &[Workload] = &[
         tolerance: SINGLE,
         contenders: || {
             vec![
-                between("Motor", Agreement::Whole, Motor::split_lerp),
+                in_blocks("Blocks<Motor>", Blocks::split_lerp_into),
+                in_slices("ours, arrays of structs", Motor::split_lerp_slice),
+                between("ours, one by one", Agreement::Whole, Motor::split_lerp),
                 between("ultraviolet x8 slerp, lerp", Agreement::Whole, slerp_x8),
                 between("glam Quat slerp, Vec3 lerp", Agreement::Whole, slerp_parts),
                 between("nalgebra Isometry3 lerp_slerp", Agreement::Whole, |a: Isometry3<f32>, b, t| {
@@ -121,6 +139,22 @@ fn in_blocks(
     let run =
         move |out: &mut _| function(black_box(&a), black_box(&b), black_box(T), out).expect("lists of one length");
     Contender::new(name, blocks(ends().0), run, |_| results)
+}
+
+fn in_slices(
+    name: &'static str,
+    function: impl Fn(&[Motor], &[Motor], f32, &mut [Motor]) -> Result<(), LengthMismatch> + 'static,
+) -> Contender {
+    let (a, b) = ends::<Motor>();
+    let results = along(Agreement::Whole, |t| {
+        let mut motors = a.clone();
+        function(&a, &b, t, &mut motors).expect("slices of one length");
+        motors
+    });
+    let run = move |out: &mut Vec<Motor>| {
+        function(black_box(&a), black_box(&b), black_box(T), out).expect("slices of one length");
+    };
+    Contender::new(name, ends().0, run, |_| results)
 }
 
 pub(super) fn lerp_parts(a: SinglePair, b: SinglePair, t: f32) -> SinglePair {

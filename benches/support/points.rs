@@ -55,6 +55,8 @@ pub(super) const WORKLOADS: &[Workload] = &[
         tolerance: SINGLE,
         contenders: || {
             vec![
+                in_place_in_blocks(),
+                copy(),
                 in_place_in_slices(),
                 in_place::<Mat4>(),
                 in_place::<Affine3A>(),
@@ -164,6 +166,16 @@ fn in_place<M: Motion>() -> Contender {
         }
     };
     Contender::new(M::NAME, points::<M>(MANY), run, |out| coordinates::<M>(out))
+}
+
+fn in_place_in_blocks() -> Contender {
+    let motor: f32::Motor = one();
+    Contender::new(
+        "Blocks<Point>",
+        blocks(points::<f32::Motor>(MANY)),
+        move |out| black_box(motor).transform_point_blocks_in_place(out),
+        |out| coordinates::<f32::Motor>(&Vec::from(out)),
+    )
 }
 
 fn in_place_in_slices() -> Contender {

@@ -5,7 +5,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use pga_motor::f64::{Clip, Direction, Motor, Point, Rotor, ScrewCache, Skeleton, SkeletonInstance, Translator};
+use pga_motor::f64::{Clip, Direction, Motor, Point, Poses, Rotor, ScrewCache, Skeleton, SkeletonInstance, Translator};
 use pga_motor::skeleton::{
     Aim, Influences, Interpolation, Layer, Retarget, RootMotion, RootMotionPart, TwoBone, Wrap, add_layers,
     animate_keyframe, animate_sample, blend_poses, deviation_into, local_to_model, skin_normals, skin_normals_linear,
@@ -64,6 +64,8 @@ fn what_runs_once_a_frame_allocates_nothing() {
     let mut retarget = Retarget::new(&skeleton, &skeleton);
     let (mut pose, mut out) = (skeleton.rest_pose().clone(), skeleton.rest_pose().clone());
     let mut model = vec![Motor::IDENTITY; 3];
+    let times: Vec<f64> = (0..40).map(|character| 0.05 * f64::from(character)).collect();
+    let (mut crowd, mut crowd_model) = (Poses::new(3, times.len()), Poses::new(3, times.len()));
     let (mut points, mut normals) = ([Point::ORIGIN; 4], [Direction::X; 4]);
     let (bound, bound_normals) = (points, normals);
     let influences = Influences { joints: &[[0, 2]; 4], weights: &[[0.5, 0.25]; 4] };
@@ -77,6 +79,8 @@ fn what_runs_once_a_frame_allocates_nothing() {
             }
         }
         clip.sample_cached_into(0.3, Wrap::Loop, &mut cache, &mut pose).unwrap();
+        crowd.animate(&skeleton, &clip, &times, Interpolation::Screw, Wrap::Loop).unwrap();
+        crowd.local_to_model_into(&skeleton, &mut crowd_model).unwrap();
         local_to_model(&skeleton, &pose, &mut model).unwrap();
         animate_keyframe(&skeleton, &mut instance, &pose).unwrap();
         let layers = [Layer::new(&pose, 0.3), Layer::new(&turned, 0.5).with_joint_weights(&[0.0, 1.0, 0.1])];

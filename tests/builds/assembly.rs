@@ -103,3 +103,18 @@ fn loops_over_lanes_are_vector_code() {
         }
     }
 }
+
+/// In a default build, which has SSE2: 12 products of four numbers each, and the 14 shuffles of the recipe.
+#[test]
+fn single_products_are_packed() {
+    let assembly = Assembly::of_probe();
+    for function in ["products", "kinematics"] {
+        let instructions = assembly.reached(function, function);
+        let count = |name: &str| instructions.iter().filter(|i| i.starts_with(name)).count();
+        let shuffles = ["shufps", "unpck", "movlhps", "movhlps", "pshufd"].map(count).iter().sum::<usize>();
+        println!("{function}: {} products, {shuffles} shuffles, {} in all", count("mulps"), instructions.len());
+        assert_eq!(count("mulss"), 0, "{function}: products of single numbers");
+        assert_eq!(count("mulps"), 12, "{function}");
+        assert!((10..=18).contains(&shuffles), "{function}: expected about 14 shuffles, found {shuffles}");
+    }
+}

@@ -1,7 +1,7 @@
 //! Batches of motors.
 
 use super::Blocks;
-use super::work::{OnBlock, Quickly, map, zip};
+use super::work::{OnBlock, Quickly, map, map_in_place, zip};
 use crate::scalar::{Fused, Precision, precision};
 use crate::slices;
 use crate::{Direction, EvenMultivector, LengthMismatch, Line, Motor, Plane, Point, Real, Scalar, kernels};
@@ -101,6 +101,11 @@ impl<T: Scalar> Motor<T> {
         map(points, results, point_mover(self), point_mover(self.fused()))
     }
 
+    /// Moves each point.
+    pub fn transform_point_blocks_in_place(self, points: &mut Blocks<Point<T>>) {
+        map_in_place(points, point_mover(self), point_mover(self.fused()));
+    }
+
     /// Writes where the motion carries each direction.
     ///
     /// # Errors
@@ -111,6 +116,11 @@ impl<T: Scalar> Motor<T> {
         results: &mut Blocks<Direction<T>>,
     ) -> Result<(), LengthMismatch> {
         map(directions, results, direction_mover(self), direction_mover(self.fused()))
+    }
+
+    /// Turns each direction.
+    pub fn transform_direction_blocks_in_place(self, directions: &mut Blocks<Direction<T>>) {
+        map_in_place(directions, direction_mover(self), direction_mover(self.fused()));
     }
 
     /// Writes where the motion carries each line.
@@ -125,6 +135,11 @@ impl<T: Scalar> Motor<T> {
         map(lines, results, line_mover(self), line_mover(self.fused()))
     }
 
+    /// Moves each line.
+    pub fn transform_line_blocks_in_place(self, lines: &mut Blocks<Line<T>>) {
+        map_in_place(lines, line_mover(self), line_mover(self.fused()));
+    }
+
     /// Writes where the motion carries each plane.
     ///
     /// # Errors
@@ -135,6 +150,11 @@ impl<T: Scalar> Motor<T> {
         results: &mut Blocks<Plane<T>>,
     ) -> Result<(), LengthMismatch> {
         map(planes, results, plane_mover(self), plane_mover(self.fused()))
+    }
+
+    /// Moves each plane.
+    pub fn transform_plane_blocks_in_place(self, planes: &mut Blocks<Plane<T>>) {
+        map_in_place(planes, plane_mover(self), plane_mover(self.fused()));
     }
 
     fn fused(self) -> Motor<Fused<T>> {

@@ -164,6 +164,30 @@ fn one_motion_agrees_with_single_ones<T: Real + core::fmt::Debug>() {
     );
 }
 
+fn in_place_is_as_beside<T: Real + core::fmt::Debug>() {
+    let by = motor::<T>(3);
+    fn check<E: Lanewise + PartialEq + core::fmt::Debug>(
+        items: &Blocks<E>,
+        beside: impl Fn(&Blocks<E>, &mut Blocks<E>) -> Result<(), LengthMismatch>,
+        in_place: impl Fn(&mut Blocks<E>),
+    ) {
+        with_each(|| {
+            let (mut moved, mut replaced) = (items.clone(), items.clone());
+            beside(items, &mut moved).unwrap();
+            in_place(&mut replaced);
+            assert_eq!(replaced, moved);
+        });
+    }
+    for len in LENGTHS {
+        let (points, lines) = (list(len, point::<T>), list(len, line::<T>));
+        let (directions, planes) = (list(len, |i| point::<T>(i) - Point::ORIGIN), list(len, |i| point::<T>(i).dual()));
+        check(&points, |a, b| by.transform_point_blocks(a, b), |a| by.transform_point_blocks_in_place(a));
+        check(&lines, |a, b| by.transform_line_blocks(a, b), |a| by.transform_line_blocks_in_place(a));
+        check(&directions, |a, b| by.transform_direction_blocks(a, b), |a| by.transform_direction_blocks_in_place(a));
+        check(&planes, |a, b| by.transform_plane_blocks(a, b), |a| by.transform_plane_blocks_in_place(a));
+    }
+}
+
 fn exp_and_log_agree_with_single_ones<T: Real + core::fmt::Debug>() {
     assert_agrees(
         Motor::IDENTITY,
@@ -208,6 +232,7 @@ fn interpolations_agree_with_single_ones<T: Real + core::fmt::Debug>() {
 crate::precision::in_both_precisions! {
     products_agree: products_agree_with_single_ones;
     one_motion_agrees: one_motion_agrees_with_single_ones;
+    in_place_agrees: in_place_is_as_beside;
     exp_and_log_agree: exp_and_log_agree_with_single_ones;
     interpolations_agree: interpolations_agree_with_single_ones;
 }

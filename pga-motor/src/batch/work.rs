@@ -7,7 +7,7 @@
 use core::ops::Range;
 
 use super::Lanewise;
-use super::blocks::LANES;
+use super::blocks::{Block, Blocks, LANES};
 use super::lanes::sealed::Fusible;
 use super::layout::{Lanes, Sink, Source};
 use crate::LengthMismatch;
@@ -132,6 +132,43 @@ pub(super) fn map<S: Source, D: Sink>(
     check_lengths(source.len(), sink.len())?;
     dispatch(Batch { source, sink, plain, fused });
     Ok(())
+}
+
+struct InPlace<'a, E: Lanewise, P, F> {
+    blocks: &'a mut [Block<E>],
+    plain: P,
+    fused: F,
+}
+
+impl<E: Lanewise, P: OnBlock<E, E>, F: OnBlock<E::Fused, E::Fused>> Work for InPlace<'_, E, P, F> {
+    #[inline(always)]
+    fn run(self) {
+        let (function, lanes) = (self.plain, LaneCount::new());
+        for block in self.blocks {
+            // Apart from what is written, as the compiler can see.
+            let items = *block;
+            function.run(lanes, |lane| items.get(lane), |lane, result| block.put(lane, result));
+        }
+    }
+
+    #[inline(always)]
+    fn run_fused(self) {
+        let (function, lanes) = (self.fused, LaneCount::new());
+        for block in self.blocks {
+            let items = *block;
+            function.run(lanes, |lane| items.get(lane).fuse(), |lane, result| block.put(lane, E::unfuse(result)));
+        }
+    }
+}
+
+/// Replaces each item by what becomes of it.
+#[inline]
+pub(super) fn map_in_place<E: Lanewise>(
+    items: &mut Blocks<E>,
+    plain: impl OnBlock<E, E>,
+    fused: impl OnBlock<E::Fused, E::Fused>,
+) {
+    dispatch(InPlace { blocks: &mut items.blocks, plain, fused });
 }
 
 /// [`map`] for the items of two lists, pair by pair.
