@@ -4,7 +4,7 @@ use super::Blocks;
 use super::blocks::LANES;
 use super::lanes::Lanewise;
 use super::layout::{Same, Sink, Source};
-use super::work::{LaneCount, OnBlock, Quickly, for_failures, map};
+use super::work::{LaneCount, OnBlock, Quickly, map};
 use crate::scalar::{Fused, Precision, precision};
 use crate::slices::check_lengths;
 use crate::{EvenMultivector, LengthMismatch, Line, Motor, Real, Translator, kernels, weights};
@@ -297,6 +297,18 @@ macro_rules! polynomials {
 polynomials!(Single: motor_log_f32 motor_log_f32_holds line_exp_f32 line_exp_f32_holds);
 polynomials!(Double: motor_log_f64 motor_log_f64_holds line_exp_f64 line_exp_f64_holds);
 
+/// ~a b, the motion from one to the other as it is seen there.
+#[inline(always)]
+fn step<S: Real>(Pair { a, b, .. }: Pair<S>) -> Motor<S> {
+    kernels::motor_mul_motor_fma(a.reverse(), b).short_way()
+}
+
+/// What it turns by.
+#[inline(always)]
+fn turn<S: Real>(Pair { a, b, .. }: Pair<S>) -> Motor<S> {
+    Motor::from(kernels::rotor_mul_rotor(a.rotor().reverse(), b.rotor()))
+}
+
 /// a exp(t log(~a b)) at a t from 0 to 1, in stages: each is a loop of its own over the lanes, short enough to be inlined and to stay in
 /// registers.
 struct Screws<P>(P);
@@ -306,11 +318,10 @@ impl<S: Real, P: Polynomials> OnBlock<Pair<S>, Motor<S>> for Screws<P> {
     fn run(&self, lanes: LaneCount, pair: impl Fn(usize) -> Pair<S>, mut put: impl FnMut(usize, Motor<S>)) {
         let Self(polynomials) = *self;
         let mut steps = Motor::<S>::IDENTITY.splat::<LANES>();
-        let mut failures = [0_u32; LANES];
+        let mut failures = 0_u32;
         for lane in lanes.range() {
-            let Pair { a, b, .. } = pair(lane);
-            let step = kernels::motor_mul_motor_fma(a.reverse(), b).short_way();
-            failures[lane] = u32::from(!polynomials.log_holds(step));
+            let step = step(pair(lane));
+            failures |= u32::from(!polynomials.log_holds(step));
             step.put(&mut steps, lane);
         }
         let mut generators = Line::<S>::ZERO.splat::<LANES>();
@@ -323,10 +334,14 @@ impl<S: Real, P: Polynomials> OnBlock<Pair<S>, Motor<S>> for Screws<P> {
         for lane in lanes.range() {
             put(lane, kernels::motor_mul_motor_fma(pair(lane).a, Motor::<S>::get(&steps, lane)));
         }
-        for_failures(&failures, |lane| {
-            let Pair { a, b, t } = pair(lane);
-            put(lane, a.screw_lerp(b, t));
-        });
+        if failures != 0 {
+            for lane in 0..LANES {
+                let pair @ Pair { a, b, t } = pair(lane);
+                if !polynomials.log_holds(step(pair)) {
+                    put(lane, a.screw_lerp(b, t));
+                }
+            }
+        }
     }
 }
 
@@ -340,12 +355,11 @@ impl<S: Real, P: Polynomials, const SPLIT: bool> OnBlock<Pair<S>, Motor<S>> for 
         let Self(polynomials) = *self;
         let mut signs = [S::ONE; LANES];
         let mut angles = [S::ZERO; LANES];
-        let mut failures = [0_u32; LANES];
+        let mut failures = 0_u32;
         for lane in lanes.range() {
-            let Pair { a, b, .. } = pair(lane);
-            let turn = Motor::from(kernels::rotor_mul_rotor(a.rotor().reverse(), b.rotor()));
+            let turn = turn(pair(lane));
             signs[lane] = sign_of(turn.s);
-            failures[lane] = u32::from(!polynomials.log_holds(turn.short_way()));
+            failures |= u32::from(!polynomials.log_holds(turn.short_way()));
             angles[lane] = kernels::line_norm_squared(polynomials.log(turn.short_way())).sqrt();
         }
         let (mut of_a, mut of_b) = ([S::ONE; LANES], [S::ONE; LANES]);
@@ -360,10 +374,14 @@ impl<S: Real, P: Polynomials, const SPLIT: bool> OnBlock<Pair<S>, Motor<S>> for 
             let (of_a, of_b) = (of_a[lane], of_b[lane]);
             put(lane, if SPLIT { split(pair, of_a, of_b) } else { weighted_and_normalized(pair, of_a, of_b) });
         }
-        for_failures(&failures, |lane| {
-            let Pair { a, b, t } = pair(lane);
-            put(lane, if SPLIT { a.split_lerp(b, t) } else { a.slerp(b, t) });
-        });
+        if failures != 0 {
+            for lane in 0..LANES {
+                let pair @ Pair { a, b, t } = pair(lane);
+                if !polynomials.log_holds(turn(pair).short_way()) {
+                    put(lane, if SPLIT { a.split_lerp(b, t) } else { a.slerp(b, t) });
+                }
+            }
+        }
     }
 }
 

@@ -57,22 +57,19 @@ pub(super) struct Quickly<Q, H, E> {
 impl<A: Copy, R, Q: Fn(A) -> R, H: Fn(A) -> bool, E: Fn(A) -> R> OnBlock<A, R> for Quickly<Q, H, E> {
     #[inline(always)]
     fn run(&self, lanes: LaneCount, item: impl Fn(usize) -> A, mut put: impl FnMut(usize, R)) {
-        let mut failures = [0_u32; LANES];
+        let mut failures = 0_u32;
         for lane in lanes.range() {
             let item = item(lane);
             put(lane, (self.quick)(item));
-            failures[lane] = u32::from(!(self.holds)(item));
+            failures |= u32::from(!(self.holds)(item));
         }
-        for_failures(&failures, |lane| put(lane, (self.exact)(item(lane))));
-    }
-}
-
-/// Does something for each lane that failed; these are few, or none.
-#[inline(always)]
-pub(super) fn for_failures(failures: &[u32; LANES], mut repair: impl FnMut(usize)) {
-    if failures.iter().fold(0, |any, failure| any | failure) != 0 {
-        for (lane, _) in failures.iter().enumerate().filter(|(_, failure)| **failure != 0) {
-            repair(lane);
+        if failures != 0 {
+            for lane in 0..LANES {
+                let item = item(lane);
+                if !(self.holds)(item) {
+                    put(lane, (self.exact)(item));
+                }
+            }
         }
     }
 }
