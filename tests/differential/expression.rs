@@ -160,6 +160,16 @@ impl Scalar for Traced {
     fn from_ratio(numerator: i32, denominator: i32) -> Self {
         Self::constant(Rational::new(numerator.into(), denominator.into()).expect("a denominator other than 0"))
     }
+    /// Signs and doublings are exact, so -x y + c is c - x y, x y + -c is x y - c, and 2 x is x + x: what rounds is the same.
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        let two = Self::constant(Rational::integer(2));
+        let times = |x: Self| if factor == two { x + x } else { x * factor };
+        match (self.node(), term.node()) {
+            (Node::Neg(x), _) => term - times(x),
+            (_, Node::Neg(c)) => times(self) - c,
+            _ => times(self) + term,
+        }
+    }
 }
 
 impl Real for Traced {

@@ -120,5 +120,7 @@ mod parts {
     #[test]
     fn variants_for_other_cost_models_are_the_kernel() {
         equal! { rotor_transform_line, |r, l| rotor_transform_line_fma(r, l); }
+        equal! { motor_mul_motor, |a, b| motor_mul_motor_fma(a, b); }
+        equal! { motor_transform_point, |m, p| motor_transform_point_fma(m, p); }
     }
 }

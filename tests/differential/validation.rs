@@ -219,6 +219,10 @@ mod pga3d {
             fn rotor_mul_rotor_packed(a: Rotor, b: Rotor) -> Rotor;
             fn even_mul_even_packed(a: EvenMultivector, b: EvenMultivector) -> EvenMultivector;
             fn rotor_transform_line_fma(r: Rotor, l: Line) -> Line;
+            fn motor_mul_motor_fma(a: Motor, b: Motor) -> Motor;
+            fn motor_transform_point_fma(m: Motor, p: Point) -> Point;
+            fn even_normalize_fma(m: EvenMultivector) -> Motor;
+            fn motor_scalar_product_motor_fma(a: Motor, b: Motor) -> Scalar;
             fn line_exp_f32(l: Line) -> Motor;
             fn line_exp_f64(l: Line) -> Motor;
             fn motor_log_f32(m: Motor) -> Line;
