@@ -4,7 +4,7 @@
 //! of structs costs several times as much; for those there are `Motor::mul_slice` and its kin. The kernels are proved like those of
 //! single items. Which instructions they are compiled to is chosen once per call, at run time: see [`InstructionSet`]. With AVX2 and
 //! AVX-512 products are fused with sums, so results differ from those of single items within the rounding errors that the kernels' docs
-//! give, and from one set to the other not at all.
+//! give; those of AVX2 and AVX-512 are the same, bit for bit.
 //!
 //! ```
 //! use pga_motor::batch::Blocks;
@@ -31,7 +31,7 @@ mod work;
 pub use crate::instructions::InstructionSet;
 #[cfg(feature = "std")]
 pub use crate::instructions::with_instruction_set;
-pub(crate) use between::{Pair, Travel, Way, along_slices, between_slices, choose};
+pub(crate) use between::{Pair, Travel, Way, along_screws, between_slices, choose};
 pub use blocks::{Blocks, Iter, LANES};
 pub use lanes::Lanewise;
 pub(crate) use motors::product;

@@ -9,11 +9,12 @@ use crate::scalar::{Fused, Precision, precision};
 use crate::slices::check_lengths;
 use crate::{EvenMultivector, LengthMismatch, Line, Motor, Real, Translator, kernels, weights};
 
-/// Motors between each of these and the one at the same index of `others`, up to the last digits. Nothing is written where the lengths
-/// differ.
+/// Motors between each of these and the one at the same index of `others`, up to rounding of the larger of the two; so the second end is
+/// met up to that, the first exactly. Of ends half a turn apart the same way is taken as by single motors. Nothing is written where
+/// the lengths differ.
 ///
-/// Angles go by the polynomials of [`Motor::log_slice`] and [`Line::exp_slice`], for t from 0 to 1; what these do not hold for, and
-/// other t, is done one by one.
+/// For t from 0 to 1 angles go by the polynomials of [`Motor::log_slice`] and [`Line::exp_slice`], and so results may be off by as much
+/// as the motors are off unit norm. What the polynomials do not hold for, and other t, is done one by one.
 impl<T: Real> Blocks<Motor<T>> {
     /// Writes the motors on the straight lines: [`Motor::nlerp`].
     ///
@@ -150,19 +151,18 @@ pub(crate) fn choose<T: Real, V: Travel<T>>(way: Way, all_between: bool, travell
 
 /// Writes the motors between those of slices of one length.
 pub(crate) fn between_slices<T: Real>(way: Way, a: &[Motor<T>], b: &[Motor<T>], t: T, motors: &mut [Motor<T>]) {
-    let done = between(way, a, b, t, motors);
-    debug_assert!(done.is_ok(), "slices of one length");
+    between(way, a, b, t, motors).expect("invariant: slices of one length");
 }
 
-/// Writes the motors a exp(t l) for slices of one length, t from 0 to 1.
-pub(crate) fn along_slices<T: Real>(a: &[Motor<T>], generators: &[Line<T>], t: T, motors: &mut [Motor<T>]) {
+/// Writes the motors a exp(t l), t from 0 to 1, for lists of one length.
+pub(crate) fn along_screws<T: Real>(a: &Blocks<Motor<T>>, generators: &Blocks<Line<T>>, t: T, motors: &mut [Motor<T>]) {
     let items = ((a, generators), Same(t));
     let done = match precision::<T>() {
         Precision::Single => map(items, motors, along(Single), along(Single)),
         Precision::Double => map(items, motors, along(Double), along(Double)),
         Precision::Finer => map(items, motors, carried::<T>, carried::<Fused<T>>),
     };
-    debug_assert!(done.is_ok(), "slices of one length");
+    done.expect("invariant: lists of one length");
 }
 
 type Generated<S> = ((Motor<S>, Line<S>), Same<S>);
@@ -236,18 +236,25 @@ impl<S: Copy, F: OnBlock<Pair<S>, Motor<S>>> OnBlock<((Motor<S>, Motor<S>), Same
     }
 }
 
-/// [`Motor::nlerp`] at a t from 0 to 1, without a branch.
+/// [`Motor::nlerp`] at a t from 0 to 1, without a branch. Equal ends stay put.
 #[inline(always)]
 fn chord<S: Real>(Pair { a, b, t }: Pair<S>) -> Motor<S> {
-    let to_b = t * sign_of(kernels::motor_scalar_product_motor_fma(a, b));
-    kernels::even_normalize_fma(weighted(a, S::ONE - t, b, to_b))
+    // Not fused: of ends half a turn apart the rounding says which way is taken, on every machine the same.
+    let sign = sign_of(kernels::motor_scalar_product_motor(a, b));
+    kernels::even_normalize_fma(weighted(a, S::ONE, times(b, sign), t))
 }
 
-/// The sum of two motors times weights.
+/// a near + (b - a) step
 #[inline(always)]
-fn weighted<S: Real>(a: Motor<S>, of_a: S, b: Motor<S>, of_b: S) -> EvenMultivector<S> {
+fn weighted<S: Real>(a: Motor<S>, near: S, b: Motor<S>, step: S) -> EvenMultivector<S> {
     let (a, b) = (a.to_array(), b.to_array());
-    EvenMultivector::from(core::array::from_fn(|i| b[i].mul_add(of_b, a[i] * of_a)))
+    EvenMultivector::from(core::array::from_fn(|i| (b[i] - a[i]).mul_add(step, a[i] * near)))
+}
+
+/// The motor or its negative, the same motion.
+#[inline(always)]
+fn times<S: Real>(motor: Motor<S>, sign: S) -> Motor<S> {
+    Motor::from(motor.to_array().map(|coefficient| coefficient * sign))
 }
 
 #[inline(always)]
@@ -297,10 +304,13 @@ macro_rules! polynomials {
 polynomials!(Single: motor_log_f32 motor_log_f32_holds line_exp_f32 line_exp_f32_holds);
 polynomials!(Double: motor_log_f64 motor_log_f64_holds line_exp_f64 line_exp_f64_holds);
 
-/// ~a b, the motion from one to the other as it is seen there.
+/// ~a b, the motion from one to the other as it is seen there, the short way.
 #[inline(always)]
 fn step<S: Real>(Pair { a, b, .. }: Pair<S>) -> Motor<S> {
-    kernels::motor_mul_motor_fma(a.reverse(), b).short_way()
+    // The way is chosen without fusing, as by single motors. Where the fused product has the other sign, by a rounding, the logarithm
+    // does not hold, or it is that of half a turn.
+    let sign = sign_of(kernels::motor_mul_motor(a.reverse(), b).s);
+    times(kernels::motor_mul_motor_fma(a.reverse(), b), sign)
 }
 
 /// What it turns by.
@@ -362,17 +372,19 @@ impl<S: Real, P: Polynomials, const SPLIT: bool> OnBlock<Pair<S>, Motor<S>> for 
             failures |= u32::from(!polynomials.log_holds(turn.short_way()));
             angles[lane] = kernels::line_norm_squared(polynomials.log(turn.short_way())).sqrt();
         }
-        let (mut of_a, mut of_b) = ([S::ONE; LANES], [S::ONE; LANES]);
+        let (mut near, mut steps) = ([S::ONE; LANES], [S::ONE; LANES]);
         for lane in lanes.range() {
             let (angle, t) = (angles[lane], pair(lane).t);
             let (rest, whole) = (S::ONE - t, S::ONE / sinc(polynomials, angle));
-            of_a[lane] = rest * sinc(polynomials, rest * angle) * whole;
-            of_b[lane] = t * sinc(polynomials, t * angle) * whole * signs[lane];
+            let of_b = t * sinc(polynomials, t * angle) * whole;
+            near[lane] = rest * sinc(polynomials, rest * angle) * whole + of_b;
+            steps[lane] = of_b;
         }
         for lane in lanes.range() {
-            let pair = pair(lane);
-            let (of_a, of_b) = (of_a[lane], of_b[lane]);
-            put(lane, if SPLIT { split(pair, of_a, of_b) } else { weighted_and_normalized(pair, of_a, of_b) });
+            let Pair { a, b, t } = pair(lane);
+            let pair = Pair { a, b: times(b, signs[lane]), t };
+            let (near, step) = (near[lane], steps[lane]);
+            put(lane, if SPLIT { split(pair, near, step) } else { weighted_and_normalized(pair, near, step) });
         }
         if failures != 0 {
             for lane in 0..LANES {
@@ -386,16 +398,16 @@ impl<S: Real, P: Polynomials, const SPLIT: bool> OnBlock<Pair<S>, Motor<S>> for 
 }
 
 #[inline(always)]
-fn weighted_and_normalized<S: Real>(Pair { a, b, .. }: Pair<S>, of_a: S, of_b: S) -> Motor<S> {
-    kernels::even_normalize_fma(weighted(a, of_a, b, of_b))
+fn weighted_and_normalized<S: Real>(Pair { a, b, .. }: Pair<S>, near: S, step: S) -> Motor<S> {
+    kernels::even_normalize_fma(weighted(a, near, b, step))
 }
 
 /// The weighted rotors, and the translation on the straight line.
 #[inline(always)]
-fn split<S: Real>(Pair { a, b, t }: Pair<S>, of_a: S, of_b: S) -> Motor<S> {
-    let rotor = weighted_and_normalized(Pair { a: a.rotor().into(), b: b.rotor().into(), t }, of_a, of_b).rotor();
+fn split<S: Real>(Pair { a, b, t }: Pair<S>, near: S, step: S) -> Motor<S> {
+    let rotor = weighted_and_normalized(Pair { a: a.rotor().into(), b: b.rotor().into(), t }, near, step).rotor();
     let (from, to) = (a.translator().vector().to_array(), b.translator().vector().to_array());
-    let vector = core::array::from_fn(|i| to[i].mul_add(t, from[i] * (S::ONE - t)));
+    let vector = core::array::from_fn(|i| (to[i] - from[i]).mul_add(t, from[i]));
     Motor::from_rotor_translator(rotor, Translator::from_vector(vector.into()))
 }
 

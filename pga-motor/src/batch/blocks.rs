@@ -93,7 +93,11 @@ impl<E: Lanewise> Blocks<E> {
     /// Replaces the item at an index, and returns the one that was there; `None`, and nothing is changed, past the end.
     pub fn replace(&mut self, index: usize, item: E) -> Option<E> {
         let before = self.get(index)?;
-        item.put(&mut self.blocks[index / LANES].0, index % LANES);
+        let block = &mut self.blocks[index / LANES];
+        block.put(index % LANES, item);
+        // What was there may have been what the lanes past the end are copies of.
+        let past_the_end = self.len.saturating_sub(index / LANES * LANES).min(LANES)..LANES;
+        past_the_end.for_each(|lane| block.put(lane, item));
         Some(before)
     }
 
