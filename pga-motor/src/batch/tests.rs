@@ -226,6 +226,92 @@ fn interpolations_agree_with_single_ones<T: Real + core::fmt::Debug>() {
             |n, out| Motor::screw_lerp_slice(&a(n), &b(n), t, out),
             |i| motor(i).screw_lerp(other(i), t),
         );
+        assert_agrees(
+            Motor::IDENTITY,
+            |n, out| list(n, motor::<T>).split_lerp_into(&list(n, other), t, out),
+            |n, out| Motor::split_lerp_slice(&a(n), &b(n), t, out),
+            |i| motor(i).split_lerp(other(i), t),
+        );
+    }
+}
+
+/// Pairs half a turn apart, exactly or but for a rounding, of which fused products would tell the short way otherwise.
+fn half_turns<T: Real>() -> Vec<(Motor<T>, Motor<T>)> {
+    let rotor = |s: f64, e23: f64| Motor::from(Rotor::new(T::from_f64(s), T::from_f64(e23), T::ZERO, T::ZERO));
+    let place = |motor, x| Translator::from_vector(Direction::new(T::from_f64(x), T::ONE, T::ZERO)) * motor;
+    let mut pairs = Vec::new();
+    for (s, e23) in [(0.6, 0.8), (0.28, 0.96), (0.936, 0.352), (1.0, 0.0)] {
+        pairs.push((place(rotor(s, e23), 2.0), place(rotor(e23, -s), 3.0)));
+        pairs.push((place(rotor(s, e23), 2.0), place(rotor(-e23, s), 3.0)));
+    }
+    for i in 0..40 {
+        let half = T::PI + T::from_f64(f64::from(i - 20)) * T::EPSILON;
+        let a = motor::<T>(i as usize);
+        pairs.push((a, a * Rotor::about_y(half)));
+    }
+    pairs
+}
+
+fn half_turns_go_the_way_of_single_motors<T: Real + core::fmt::Debug>() {
+    let (a, b): (Vec<_>, Vec<_>) = half_turns::<T>().into_iter().unzip();
+    type Lists<T> = fn(&Blocks<Motor<T>>, &Blocks<Motor<T>>, T, &mut Blocks<Motor<T>>) -> Result<(), LengthMismatch>;
+    type Single<T> = fn(Motor<T>, Motor<T>, T) -> Motor<T>;
+    let ways: [(Lists<T>, Single<T>); 4] = [
+        (Blocks::nlerp_into, Motor::nlerp),
+        (Blocks::slerp_into, Motor::slerp),
+        (Blocks::screw_lerp_into, Motor::screw_lerp),
+        (Blocks::split_lerp_into, Motor::split_lerp),
+    ];
+    for (lists, single) in ways {
+        for t in [0, 30, 50, 80, 100].map(|percent| T::from_ratio(percent, 100)) {
+            with_each(|| {
+                let mut found = Blocks::filled(Motor::IDENTITY, a.len());
+                lists(&a[..].into(), &b[..].into(), t, &mut found).unwrap();
+                for (i, found) in found.iter().enumerate() {
+                    // The parts of a motor half a turn from another are as ill-conditioned as the angle: one more of its roundings.
+                    assert_near(&found, &single(a[i], b[i], t), T::from_ratio(2, 1) * size(i));
+                }
+            });
+        }
+    }
+}
+
+/// A joint that does not move must not tremble.
+fn equal_ends_stay_put<T: Real + core::fmt::Debug>() {
+    let far =
+        |i: usize| Translator::from_vector(Direction::new(T::from_f64(1e4 / 3.0), T::ONE, T::ZERO)) * motor::<T>(i);
+    let ends = list(40, far);
+    let mut whole = Blocks::filled(Motor::IDENTITY, 40);
+    ends.nlerp_into(&ends, T::ZERO, &mut whole).unwrap();
+    for t in [1, 30, 51, 99].map(|percent| T::from_ratio(percent, 100)) {
+        let mut found = Blocks::filled(Motor::IDENTITY, 40);
+        ends.nlerp_into(&ends, t, &mut found).unwrap();
+        assert_eq!(found, whole);
+        ends.screw_lerp_into(&ends, t, &mut found).unwrap();
+        for (found, end) in found.iter().zip(&ends) {
+            assert!((found - end).norm() <= T::from_ratio(4, 1) * T::EPSILON);
+        }
+    }
+}
+
+/// What AVX2 and AVX-512 compute alike: both fuse, and neither rounds otherwise.
+#[test]
+fn wide_registers_change_nothing() {
+    let run = |set| {
+        with_instruction_set(set, || {
+            let (a, b) = (list(100, motor::<f32>), list(100, |i| motor(2 * i + 5)));
+            let mut out = [0; 6].map(|_| Blocks::filled(Motor::IDENTITY, 100));
+            a.mul_into(&b, &mut out[0]).unwrap();
+            a.nlerp_into(&b, 0.3, &mut out[1]).unwrap();
+            a.slerp_into(&b, 0.3, &mut out[2]).unwrap();
+            a.screw_lerp_into(&b, 0.3, &mut out[3]).unwrap();
+            a.split_lerp_into(&b, 0.3, &mut out[4]).unwrap();
+            list(100, |i| line::<f32>(i) * if i % 7 == 0 { 1e3 } else { 1.0 }).exp_into(&mut out[5]).unwrap();
+            out
+        })
+    };
+    if let (Some(narrow), Some(wide)) = (run(InstructionSet::Avx2), run(InstructionSet::Avx512)) {
+        assert_eq!(narrow, wide);
     }
 }
 
@@ -234,6 +320,8 @@ crate::precision::in_both_precisions! {
     one_motion_agrees: one_motion_agrees_with_single_ones;
     in_place_agrees: in_place_is_as_beside;
     exp_and_log_agree: exp_and_log_agree_with_single_ones;
+    half_turns_agree: half_turns_go_the_way_of_single_motors;
+    nothing_trembles: equal_ends_stay_put;
     interpolations_agree: interpolations_agree_with_single_ones;
 }
 
@@ -280,13 +368,21 @@ fn lanes_outside_a_polynomials_range_take_the_accurate_way() {
 }
 
 #[test]
-fn motors_off_unit_are_joined_by_the_accurate_way() {
+fn motors_whose_scalar_parts_are_too_large_are_joined_by_the_accurate_way() {
     let off = |i: usize| if i == 3 { Motor { s: 1.5, ..motor::<f64>(i) } } else { motor(i) };
     let broken = |i: usize| if i == 9 { Motor { e02: f64::NAN, ..motor(2 * i) } } else { motor(2 * i) };
     let mut found = Blocks::filled(Motor::IDENTITY, 20);
     list(20, off).screw_lerp_into(&list(20, broken), 0.3, &mut found).unwrap();
     assert_eq!(found.get(3), Some(off(3).screw_lerp(broken(3), 0.3)));
     assert!(found.iter().enumerate().all(|(i, motor)| motor.is_finite() == (i != 9)));
+}
+
+#[test]
+fn what_was_replaced_is_in_no_lane_any_more() {
+    let broken = Line::new(f32::NAN, 0.0, 0.0, 0.0, 0.0, 0.0);
+    let mut lines: Blocks<_> = [broken].into_iter().collect();
+    lines.replace(0, Line::ZERO);
+    assert!((0..LANES).all(|lane| lines.blocks[0].get(lane) == Line::ZERO));
 }
 
 #[test]

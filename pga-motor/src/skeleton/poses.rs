@@ -5,6 +5,7 @@ mod kinematics;
 mod sampling;
 
 use alloc::vec::Vec;
+use core::fmt;
 
 pub use error::PosesError;
 
@@ -17,8 +18,7 @@ use sampling::Spans;
 /// hierarchies of all of them in vector registers as wide as the machine has (see [`crate::batch`]).
 ///
 /// Memory: that of [`Self::size_in_bytes`], 8 numbers for each joint of each character, the characters rounded up to a multiple of
-/// [`LANES`]; 32.3 MB for 1000 joints of 1000 characters in `f32`. Nothing else is allocated, whatever is done with them:
-/// [`Self::animate`] works in place, on one group of [`LANES`] characters after the other, so that what it has sampled is still in the
+/// [`LANES`]; 32.3 MB for 1000 joints of 1000 characters in `f32`. [`Self::animate`] allocates nothing and works in place, on one group of [`LANES`] characters after the other, so that what it has sampled is still in the
 /// cache when it goes down the hierarchy.
 ///
 /// ```
@@ -46,9 +46,24 @@ pub struct Poses<T: Scalar> {
 
 impl<T: Scalar> Poses<T> {
     /// All joints of so many characters where their parents are.
+    ///
+    /// # Panics
+    /// Like `Vec`, where no memory holds so many.
     pub fn new(joint_count: usize, characters: usize) -> Self {
-        let blocks = alloc::vec![MotorBlock::of(Motor::IDENTITY); joint_count * characters.div_ceil(LANES)];
-        Self { joint_count, len: characters, blocks }
+        let blocks = joint_count.checked_mul(characters.div_ceil(LANES)).expect("capacity overflow");
+        Self { joint_count, len: characters, blocks: alloc::vec![MotorBlock::of(Motor::IDENTITY); blocks] }
+    }
+
+    /// So many characters in one pose, such as the rest pose of their skeleton.
+    ///
+    /// # Panics
+    /// As [`Self::new`].
+    pub fn filled(pose: &[Motor<T>], characters: usize) -> Self {
+        let mut poses = Self::new(pose.len(), characters);
+        for group in poses.blocks.chunks_exact_mut(pose.len().max(1)) {
+            group.iter_mut().zip(pose).for_each(|(block, &motor)| *block = MotorBlock::of(motor));
+        }
+        poses
     }
 
     /// How many joints each character has.
@@ -152,6 +167,20 @@ impl<T: Scalar> Poses<T> {
         self.check_characters(models.len)?;
         kinematics::into(skeleton.joints(), &self.blocks, &mut models.blocks);
         Ok(())
+    }
+}
+
+impl<T: Scalar> PartialEq for Poses<T> {
+    fn eq(&self, other: &Self) -> bool {
+        let joints = |character| (0..self.joint_count).map(move |joint| (character, joint));
+        (self.joint_count, self.len) == (other.joint_count, other.len)
+            && (0..self.len).flat_map(joints).all(|(c, joint)| self.get(c, joint) == other.get(c, joint))
+    }
+}
+
+impl<T: Scalar> fmt::Debug for Poses<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Poses").field("joint_count", &self.joint_count).field("len", &self.len).finish_non_exhaustive()
     }
 }
 

@@ -66,6 +66,9 @@ fn crowds_are_as_single_characters<T: Real + core::fmt::Debug>() {
                         locals.sample(&clip, &times, interpolation, wrap).unwrap();
                         let mut models = Poses::new(JOINTS, characters);
                         locals.local_to_model_into(&skeleton, &mut models).unwrap();
+                        let mut made = locals.clone();
+                        made.make_model(&skeleton).unwrap();
+                        assert_eq!(made, models);
                         for (character, &time) in times.iter().enumerate() {
                             let (mut pose, mut model) = (vec![Motor::IDENTITY; JOINTS], vec![Motor::IDENTITY; JOINTS]);
                             clip.sample_into(time, interpolation, wrap, &mut pose).unwrap();
@@ -85,6 +88,20 @@ fn crowds_are_as_single_characters<T: Real + core::fmt::Debug>() {
 
 crate::precision::in_both_precisions! {
     crowds_agree: crowds_are_as_single_characters;
+}
+
+#[test]
+fn a_crowd_can_start_in_one_pose() {
+    let pose = [motor(1), motor(2), motor(3)];
+    let crowd = Poses::<f64>::filled(&pose, 20);
+    assert!((0..20).all(|character| (0..3).all(|joint| crowd.get(character, joint) == Some(pose[joint]))));
+    assert_eq!(alloc::format!("{crowd:?}"), "Poses { joint_count: 3, len: 20, .. }");
+}
+
+#[test]
+#[should_panic(expected = "capacity overflow")]
+fn a_crowd_that_no_memory_holds_is_refused() {
+    Poses::<f32>::new(1 << 63, 32);
 }
 
 #[test]
