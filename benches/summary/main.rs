@@ -20,6 +20,17 @@ use pga_motor::batch::InstructionSet;
 use serde_json::json;
 use stopwatch::Row;
 
+/// What the compiler could use in all of the code, batches apart.
+const COMPILED_FOR: &str = if cfg!(target_feature = "avx512f") {
+    "AVX-512"
+} else if cfg!(target_feature = "avx2") {
+    "AVX2"
+} else if cfg!(target_feature = "sse2") {
+    "SSE2"
+} else {
+    "what every machine of this architecture has"
+};
+
 fn main() -> Result<(), Box<dyn Error>> {
     let (mut file, mut part) = (None, String::new());
     let mut arguments = std::env::args().skip(1).filter(|argument| argument != "--bench");
@@ -39,12 +50,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     if rows.is_empty() {
         return Err(format!("no workload has {part:?} in its name").into());
     }
-    println!("instructions of batches: {:?}\n", InstructionSet::in_use());
+    println!("instructions of our batches, chosen at run time: {:?}", InstructionSet::in_use());
+    println!("instructions that everything else was compiled for: {COMPILED_FOR}\n");
     println!("| workload, per item | ours | contender | its time | ratio |\n|---|---|---|---|---|");
     rows.iter().for_each(Row::print);
     if let Some(file) = file {
         let rows: Vec<_> = rows.iter().map(Row::json).collect();
-        let report = json!({ "instructions": format!("{:?}", InstructionSet::in_use()), "rows": rows });
+        let report = json!({
+            "instructions": format!("{:?}", InstructionSet::in_use()),
+            "compiled_for": COMPILED_FOR,
+            "rows": rows
+        });
         fs::write(file, serde_json::to_string_pretty(&report)? + "\n")?;
     }
     Ok(())

@@ -30,11 +30,15 @@ impl Row {
         let mut contenders = workload.contenders();
         let calls: Vec<u32> = contenders.iter_mut().map(|contender| calls_in_a_turn(&mut contender.run)).collect();
         let mut times = vec![Vec::with_capacity(ROUNDS); contenders.len()];
-        for _ in 0..ROUNDS {
-            for ((contender, &calls), times) in contenders.iter_mut().zip(&calls).zip(&mut times) {
+        for round in 0..ROUNDS {
+            // Each goes first as often as the others, so none always follows the same one.
+            for turn in 0..contenders.len() {
+                let contender = (round + turn) % contenders.len();
+                let (run, calls) = (&mut contenders[contender].run, calls[contender]);
                 let start = Instant::now();
-                (0..calls).for_each(|_| (contender.run)());
-                times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(calls) / workload.items as f64);
+                (0..calls).for_each(|_| run());
+                let time = start.elapsed().as_secs_f64() * 1e9 / f64::from(calls) / workload.items as f64;
+                times[contender].push(time);
             }
         }
         eprintln!("measured: {}", workload.name);

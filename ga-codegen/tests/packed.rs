@@ -177,6 +177,18 @@ fn replayed(definition: &Definition, recipe: &PackedRecipe) -> PackedProgram {
 }
 
 #[test]
+fn what_is_written_of_doubles_is_read_back() {
+    // 2 p times q, from halves: what a doubling is multiplied by stands behind it.
+    let halves = turn_with("+ t[-0, 1, 2, 3]", "+ 2 * t[-0, 1, 2, 3] * [1, 1, 1, 1] - t[-0, 1, 2, 3]");
+    let definition = definition(&halves);
+    let specification = tasks(&definition, &definition.kernels[0]).expect("a meaning").remove(0).specification;
+    let found = replayed(&definition, &definition.packed_recipes[0]);
+    let text = write_packed_recipe(&specification, &found, "turn");
+    let read = self::definition(&text);
+    assert_eq!(write_packed_recipe(&specification, &replayed(&read, &read.packed_recipes[0]), "turn"), text);
+}
+
+#[test]
 fn a_search_packs_products_and_what_it_writes_is_read_back() {
     let unsearched = definition("");
     let kernel = unsearched.kernel("turn").expect("the kernel");

@@ -34,6 +34,7 @@ pub use crate::instructions::with_instruction_set;
 pub(crate) use between::{Pair, Travel, Way, along_screws, between_slices, choose};
 pub use blocks::{Blocks, Iter, LANES};
 pub use lanes::Lanewise;
+pub(crate) use lanes::sealed::Fusible;
 pub(crate) use motors::product;
 pub(crate) use work::{LaneCount, OnBlock};
 

@@ -21,7 +21,8 @@ pub trait Scalar:
     const ONE: Self;
     /// The number `numerator / denominator`, as exact as the type can hold it; `denominator` is not 0.
     fn from_ratio(numerator: i32, denominator: i32) -> Self;
-    /// `self * factor + term`, as quick as can be: `f32` and `f64` round twice, [`Fused`] once.
+    /// `self * factor + term`, as quick as can be: `f32` and `f64` round twice, [`Fused`] once. Of an `f32` that is no type parameter
+    /// `x.mul_add` is the standard library's, which always rounds once.
     #[inline]
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term

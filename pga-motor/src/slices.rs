@@ -5,18 +5,18 @@ use core::fmt;
 
 use crate::instructions::{Work, dispatch};
 
-/// Two slices that should be of the same length are not.
+/// Two lists that should be of the same length are not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthMismatch {
-    /// The number of points, or of what else there is a result for.
+    /// The number of items in the first list.
     pub items: usize,
-    /// The number of places for results.
+    /// The number of items, or of places for results, in the other one.
     pub results: usize,
 }
 
 impl fmt::Display for LengthMismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "expected places for {} results, found {}", self.items, self.results)
+        write!(f, "expected lists of one length, found {} items and {}", self.items, self.results)
     }
 }
 

@@ -201,7 +201,7 @@ fn points_are_transformed_in_order_or_not_at_all() {
     let mut short = [Point::ORIGIN; 2];
     let error = motor.transform_points(&points, &mut short).unwrap_err();
     assert_eq!(error, LengthMismatch { items: 3, results: 2 });
-    assert_eq!(error.to_string(), "expected places for 3 results, found 2");
+    assert_eq!(error.to_string(), "expected lists of one length, found 3 items and 2");
     assert_eq!(short, [Point::ORIGIN; 2]);
 }
 

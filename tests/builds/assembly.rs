@@ -71,25 +71,26 @@ fn packed_arithmetic(instructions: &[&str], register: &str) -> usize {
 }
 
 /// Each loop, and how many sums, products and fused ones it has on whole registers, once for every item of a register: as many as
-/// budgets.md says that its kernel has, and what is around it. `between` has `nlerp`, `slerp`, `screw_lerp` and `split_lerp` in it,
-/// as sampling has.
+/// budgets.md says that its kernel has, and what is around it. Interpolation has `nlerp`, `slerp`, `screw_lerp` and
+/// `split_lerp` in it, as sampling has; `exp` the compiler writes out twice.
 const LOOPS: [(&str, usize); 11] = [
     ("compose", 48),
     ("points", 9),
     ("point_pairs", 21),
-    ("exp", 34),
+    ("exp", 71),
     ("log", 40),
     ("renormalize", 21),
-    ("nlerp", 349),
-    ("slerp", 349),
-    ("screw_lerp", 349),
+    ("nlerp", 382),
+    ("slerp", 382),
+    ("screw_lerp", 382),
     ("crowd_kinematics", 48),
-    ("crowd_sampling", 344),
+    ("crowd_sampling", 356),
 ];
 
 #[test]
 fn loops_over_lanes_are_vector_code() {
     let assembly = Assembly::of_probe();
+    let mut wrong = Vec::new();
     for (function, expected) in LOOPS {
         for (part, register) in [("run_avx512", "%zmm"), ("run_avx2", "%ymm")] {
             let instructions = assembly.reached(function, part);
@@ -98,10 +99,13 @@ fn loops_over_lanes_are_vector_code() {
             let calls = instructions.iter().filter(|i| i.starts_with("call") && i.contains("fma")).count();
             assert_eq!(calls, 0, "{function}, {part}: products are fused by calls of the C library");
             // Another compiler may be a little better or worse.
-            let range = expected * 9 / 10..=expected * 11 / 10;
-            assert!(range.contains(&packed), "{function}, {part}: expected {expected} on {register}, found {packed}");
+            let range = expected * 19 / 20..=expected * 21 / 20;
+            if !range.contains(&packed) {
+                wrong.push(format!("{function}, {part}: expected {expected} on {register}, found {packed}"));
+            }
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// In a default build, which has SSE2: 12 products of four numbers each, and the 14 shuffles of the recipe.

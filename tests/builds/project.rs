@@ -35,7 +35,7 @@ impl Project {
         Self { root, target }
     }
 
-    /// Runs cargo on the crate, for the machine that everyone has: without flags of whoever runs the tests.
+    /// Runs cargo on the crate, for the machine that everyone has: without the flags in the environment of whoever runs the tests.
     pub(crate) fn cargo(&self, arguments: &[&str]) -> Output {
         let output = Command::new(env!("CARGO"))
             .args(arguments)
@@ -43,7 +43,9 @@ impl Project {
             .current_dir(&self.root)
             .env_remove("RUSTFLAGS")
             .env_remove("CARGO_ENCODED_RUSTFLAGS")
+            .env_remove("CARGO_BUILD_RUSTFLAGS")
             .env_remove("CARGO_BUILD_TARGET")
+            .env_remove("RUSTC_WRAPPER")
             .output()
             .expect("cargo runs, as it does this test");
         let text = String::from_utf8_lossy(&output.stderr);

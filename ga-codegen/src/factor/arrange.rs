@@ -15,7 +15,7 @@
 use crate::kernel::Specification;
 use crate::program::{LANES, PackedOperation, PackedProgram, Source, Value};
 use crate::symbolic::{Polynomial, Rational};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// Patterns of lanes: bit p for the pattern whose lanes are p in base 4.
 type Patterns = [u64; 4];
@@ -154,7 +154,7 @@ impl Block {
 fn arrangements(block: &Block) -> Vec<Arrangement> {
     let orders = permutations(block.rows[0].len());
     let mut found = Vec::new();
-    let mut known: HashMap<([Patterns; 2], u8), ()> = HashMap::new();
+    let mut known: HashSet<([Patterns; 2], u8)> = HashSet::new();
     for second in &orders {
         for third in &orders {
             for last in &orders {
@@ -170,7 +170,7 @@ fn arrangements(block: &Block) -> Vec<Arrangement> {
                 }
                 // Where signs do not differ nothing is negated.
                 signs &= !1;
-                if known.insert((shuffles, signs), ()).is_none() {
+                if known.insert((shuffles, signs)) {
                     found.push(Arrangement { shuffles, signs, columns });
                 }
             }

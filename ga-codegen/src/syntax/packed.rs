@@ -110,15 +110,16 @@ fn sum(input: ParseStream, mut depth: usize) -> syn::Result<PackedTerm> {
 }
 
 fn product(input: ParseStream, mut depth: usize) -> syn::Result<PackedTerm> {
-    if input.peek(LitInt) {
+    let mut left = if input.peek(LitInt) {
         let (span, two) = (input.span(), number::<i64>(input)?);
         if two != 2 {
             return Err(syn::Error::new(span, format!("expected 2 or a value of four lanes, found {two}")));
         }
         token::<Token![*]>(input, "`*`")?;
-        return Ok(PackedTerm::Double(Box::new(value(input, depth + 1)?)));
-    }
-    let mut left = value(input, depth + 1)?;
+        PackedTerm::Double(Box::new(value(input, depth + 1)?))
+    } else {
+        value(input, depth + 1)?
+    };
     while input.peek(Token![*]) {
         depth += 1;
         check_depth(input, depth)?;

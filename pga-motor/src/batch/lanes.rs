@@ -27,8 +27,10 @@ pub(super) mod sealed {
         /// The same of [`Fused`](crate::scalar::Fused) numbers.
         type Fused: Copy;
         /// The item of fused numbers.
+        #[doc(hidden)]
         fn fuse(self) -> Self::Fused;
         /// The item of the numbers themselves.
+        #[doc(hidden)]
         fn unfuse(fused: Self::Fused) -> Self;
     }
 

@@ -1,6 +1,7 @@
 //! Batches of motors.
 
 use super::Blocks;
+use super::lanes::sealed::Fusible;
 use super::work::{OnBlock, Quickly, map, map_in_place, zip};
 use crate::scalar::{Fused, Precision, precision};
 use crate::slices;
@@ -98,12 +99,12 @@ impl<T: Scalar> Motor<T> {
         points: &Blocks<Point<T>>,
         results: &mut Blocks<Point<T>>,
     ) -> Result<(), LengthMismatch> {
-        map(points, results, point_mover(self), point_mover(self.fused()))
+        map(points, results, point_mover(self), point_mover(self.fuse()))
     }
 
     /// Moves each point.
     pub fn transform_point_blocks_in_place(self, points: &mut Blocks<Point<T>>) {
-        map_in_place(points, point_mover(self), point_mover(self.fused()));
+        map_in_place(points, point_mover(self), point_mover(self.fuse()));
     }
 
     /// Writes where the motion carries each direction.
@@ -115,12 +116,12 @@ impl<T: Scalar> Motor<T> {
         directions: &Blocks<Direction<T>>,
         results: &mut Blocks<Direction<T>>,
     ) -> Result<(), LengthMismatch> {
-        map(directions, results, direction_mover(self), direction_mover(self.fused()))
+        map(directions, results, direction_mover(self), direction_mover(self.fuse()))
     }
 
     /// Turns each direction.
     pub fn transform_direction_blocks_in_place(self, directions: &mut Blocks<Direction<T>>) {
-        map_in_place(directions, direction_mover(self), direction_mover(self.fused()));
+        map_in_place(directions, direction_mover(self), direction_mover(self.fuse()));
     }
 
     /// Writes where the motion carries each line.
@@ -132,12 +133,12 @@ impl<T: Scalar> Motor<T> {
         lines: &Blocks<Line<T>>,
         results: &mut Blocks<Line<T>>,
     ) -> Result<(), LengthMismatch> {
-        map(lines, results, line_mover(self), line_mover(self.fused()))
+        map(lines, results, line_mover(self), line_mover(self.fuse()))
     }
 
     /// Moves each line.
     pub fn transform_line_blocks_in_place(self, lines: &mut Blocks<Line<T>>) {
-        map_in_place(lines, line_mover(self), line_mover(self.fused()));
+        map_in_place(lines, line_mover(self), line_mover(self.fuse()));
     }
 
     /// Writes where the motion carries each plane.
@@ -149,16 +150,12 @@ impl<T: Scalar> Motor<T> {
         planes: &Blocks<Plane<T>>,
         results: &mut Blocks<Plane<T>>,
     ) -> Result<(), LengthMismatch> {
-        map(planes, results, plane_mover(self), plane_mover(self.fused()))
+        map(planes, results, plane_mover(self), plane_mover(self.fuse()))
     }
 
     /// Moves each plane.
     pub fn transform_plane_blocks_in_place(self, planes: &mut Blocks<Plane<T>>) {
-        map_in_place(planes, plane_mover(self), plane_mover(self.fused()));
-    }
-
-    fn fused(self) -> Motor<Fused<T>> {
-        Motor::from(self.to_array().map(Fused))
+        map_in_place(planes, plane_mover(self), plane_mover(self.fuse()));
     }
 }
 

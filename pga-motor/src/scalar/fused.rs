@@ -13,6 +13,7 @@ use super::{Array4, Real, Scalar};
 /// let third = Fused(1.0_f64 / 3.0);
 /// // What 1/3 * 3 is short of 1 is rounded away where the product is rounded by itself.
 /// assert_eq!((1.0 / 3.0) * 3.0 - 1.0, 0.0);
+/// # #[cfg(feature = "std")]
 /// assert_eq!(third.mul_add(Fused(3.0), Fused(-1.0)), Fused(-f64::EPSILON / 4.0));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]

@@ -26,7 +26,9 @@
 //! | [`TwoBone::solve`], [`Aim::solve`] | hands and feet, heads and eyes where they should be |
 //! | [`skinning_motors`], [`skin_points`], [`skin_normals`] | a mesh that follows |
 //!
-//! [`Poses`] are those of many characters, side by side. [`animate_sample`] does the first and the fifth for a [`SkeletonInstance`], and puts its joints into the world. Files come from
+//! [`Poses`] has the poses of many characters side by side, and does the first and the fifth for all of them at a time.
+//!
+//! [`animate_sample`] does the first and the fifth for a [`SkeletonInstance`], and puts its joints into the world. Files come from
 //! [`import`](crate::import).
 //!
 //! ```

@@ -38,6 +38,17 @@ impl Interpolation {
             Self::Split => "split",
         }
     }
+
+    /// The way that interpolated joints take; `None` where they are not.
+    pub(in crate::skeleton) const fn way(self) -> Option<Way> {
+        match self {
+            Self::Step => None,
+            Self::Nlerp => Some(Way::Nlerp),
+            Self::Slerp => Some(Way::Slerp),
+            Self::Screw => Some(Way::Screw),
+            Self::Split => Some(Way::Split),
+        }
+    }
 }
 
 /// What is before the first key and after the last.
@@ -143,15 +154,9 @@ impl<T: Real> Clip<T> {
             pose.copy_from_slice(a);
             return Ok(());
         }
-        let way = match interpolation {
-            Interpolation::Step => {
-                pose.copy_from_slice(a);
-                return Ok(());
-            }
-            Interpolation::Nlerp => Way::Nlerp,
-            Interpolation::Slerp => Way::Slerp,
-            Interpolation::Screw => Way::Screw,
-            Interpolation::Split => Way::Split,
+        let Some(way) = interpolation.way() else {
+            pose.copy_from_slice(a);
+            return Ok(());
         };
         batch::between_slices(way, a, b, fraction, pose);
         self.hold_parts(way, a, b, fraction, pose);

@@ -1,8 +1,7 @@
 //! Forward kinematics of many characters at once.
 
-use crate::batch::{LaneCount, MotorBlock, product};
+use crate::batch::{Fusible, LaneCount, MotorBlock, product};
 use crate::instructions::{Work, dispatch};
-use crate::scalar::Fused;
 use crate::skeleton::Joint;
 use crate::{Motor, Scalar};
 
@@ -97,6 +96,5 @@ impl<T: Scalar> Work for Into<'_, T> {
 
 #[inline(always)]
 fn fused_product<T: Scalar>(a: Motor<T>, b: Motor<T>) -> Motor<T> {
-    let fused = |motor: Motor<T>| Motor::from(motor.to_array().map(Fused));
-    Motor::from(product(fused(a), fused(b)).to_array().map(|Fused(coefficient)| coefficient))
+    Motor::unfuse(product(a.fuse(), b.fuse()))
 }

@@ -1,6 +1,6 @@
 //! One clip at many times at once.
 
-use crate::batch::{LANES, LaneCount, MotorBlock, OnBlock, Pair, Travel, Way, choose};
+use crate::batch::{Fusible, LANES, LaneCount, MotorBlock, OnBlock, Pair, Travel, choose};
 use crate::instructions::{Work, dispatch};
 use crate::scalar::Fused;
 use crate::skeleton::clip::joint_between;
@@ -26,13 +26,7 @@ impl<'a, T: Real> Spans<'a, T> {
 
     /// Writes the group's local motors, one block for each joint.
     pub(super) fn sample(&self, interpolation: Interpolation, joints: &mut [MotorBlock<T>]) {
-        let way = match interpolation {
-            Interpolation::Step => return self.hold(joints),
-            Interpolation::Nlerp => Way::Nlerp,
-            Interpolation::Slerp => Way::Slerp,
-            Interpolation::Screw => Way::Screw,
-            Interpolation::Split => Way::Split,
-        };
+        let Some(way) = interpolation.way() else { return self.hold(joints) };
         choose(way, true, Sampling { spans: self, joints: &mut *joints });
         // The few joints of which a part holds its key.
         for (joint, &modes) in
@@ -137,15 +131,13 @@ where
     #[inline(always)]
     fn run_fused(self) {
         let Self { sampling, fused, .. } = self;
-        let fuse = |motor: Motor<T>| Motor::from(motor.to_array().map(Fused));
-        let unfuse = |motor: Motor<Fused<T>>| Motor::from(motor.to_array().map(|Fused(coefficient)| coefficient));
         sampling.run_with(
             #[inline(always)]
             |lanes, a, b, fractions, block| {
                 fused.run(
                     lanes,
-                    |lane| Pair { a: fuse(a.get(lane)), b: fuse(b.get(lane)), t: Fused(fractions[lane]) },
-                    |lane, motor| block.put(lane, unfuse(motor)),
+                    |lane| Pair { a: a.get(lane).fuse(), b: b.get(lane).fuse(), t: Fused(fractions[lane]) },
+                    |lane, motor| block.put(lane, Motor::unfuse(motor)),
                 );
             },
         );
