@@ -25,7 +25,8 @@ use proc_macro2::TokenStream;
 ///            | "recipe" KERNEL MODEL "{" ( ROW "=" value ";" )* "}"
 ///            | "recipe" KERNEL "packed" "{" ( ( ROW | "out" four( FIELD | "_" ) ) "=" packed ";" )* "}"
 ///            | "preset" NAME ";"       the items of a preset, in place
-///            | "scalar" PATH ";"       the module that has the traits Scalar and Real; emitted too where it is not given
+///            | "scalar" PATH ";"       the module that has the traits Scalar and Real, where a kernel is packed also Four; emitted too
+///                                      where it is not given
 ///            | "export" NAME ";"       exports the list of kernels as the macro NAME_kernels
 /// component := FIELD ":" BLADE | BLADE | NUMBER ":" BLADE
 /// relation  := polynomial "==" polynomial
