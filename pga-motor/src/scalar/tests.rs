@@ -145,18 +145,38 @@ fn four_lanes_in_a_register_are_those_in_an_array() {
     assert_eq!(bits(p.negate::<0b0010>()), [a[0], -a[1], a[2], a[3]].map(f32::to_bits));
 }
 
+/// Every product with a packed kernel: its operator calls that one where four numbers at once are fast, and its scalar part, whose sign
+/// decides which way is short, is rounded as by the scalar kernel.
 #[test]
 fn operators_call_what_is_fast() {
-    use crate::{Motor, kernels};
+    use crate::{EvenMultivector, Motor, Rotor, kernels};
 
-    let a = Motor::new(0.3_f32, 0.1, -0.7, 0.9, 1.1, 0.2, -0.5, 0.6);
-    let b = Motor::new(0.7_f32, -0.3, 0.17, 0.19, 2.1, -0.9, 0.51, 0.23);
-    let (packed, scalar) = (kernels::motor_mul_motor_packed(a, b), kernels::motor_mul_motor(a, b));
-    assert_ne!(packed, scalar, "numbers that tell them apart");
-    // Its sign decides which way is short, in other kernels too.
-    assert_eq!(packed.s, scalar.s);
-    assert_eq!(a * b, if <f32 as Scalar>::Four::IS_FAST { packed } else { scalar });
-    assert_eq!(cfg!(target_arch = "x86_64"), <f32 as Scalar>::Four::IS_FAST);
-    let (a, b) = (a.map(f64::from), b.map(f64::from));
-    assert_eq!(a * b, kernels::motor_mul_motor(a, b));
+    let is_fast = <f32 as Scalar>::Four::IS_FAST;
+    assert_eq!(is_fast, cfg!(target_arch = "x86_64"));
+    let mut differ = 0;
+    for i in 0..100 {
+        let number = |k: usize| ((i * 37 + k * 101) as f32).sin();
+        let (a, b) = (
+            Motor::from(core::array::from_fn::<_, 8, _>(number)),
+            Motor::from(core::array::from_fn::<_, 8, _>(|k| number(k + 8))),
+        );
+        let rotor = |m: Motor<f32>| Rotor::new(m.s, m.e23, m.e31, m.e12);
+        let (even_a, even_b) = (EvenMultivector::from(a), EvenMultivector::from(b));
+        macro_rules! check {
+            ($a:expr, $b:expr, $packed:ident, $scalar:ident) => {
+                let (packed, scalar) = (kernels::$packed($a, $b), kernels::$scalar($a, $b));
+                differ += usize::from(packed != scalar);
+                assert_eq!(packed.s, scalar.s);
+                assert_eq!($a * $b, if is_fast { packed } else { scalar });
+            };
+        }
+        check!(a, b, motor_mul_motor_packed, motor_mul_motor);
+        check!(a, rotor(b), motor_mul_rotor_packed, motor_mul_rotor);
+        check!(rotor(a), b, rotor_mul_motor_packed, rotor_mul_motor);
+        check!(rotor(a), rotor(b), rotor_mul_rotor_packed, rotor_mul_rotor);
+        check!(even_a, even_b, even_mul_even_packed, even_mul_even);
+        let (a, b) = (a.map(f64::from), b.map(f64::from));
+        assert_eq!(a * b, kernels::motor_mul_motor(a, b));
+    }
+    assert!(differ > 100, "numbers that tell the kernels apart");
 }
