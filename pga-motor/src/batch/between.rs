@@ -4,7 +4,7 @@ use super::Blocks;
 use super::blocks::LANES;
 use super::lanes::Lanewise;
 use super::layout::{Same, Sink, Source};
-use super::work::{LaneCount, OnBlock, Quickly, map};
+use super::work::{LaneCount, OnBlock, map};
 use crate::scalar::{Fused, Precision, precision};
 use crate::slices::check_lengths;
 use crate::{EvenMultivector, LengthMismatch, Line, Motor, Real, Translator, kernels, weights};
@@ -158,8 +158,8 @@ pub(crate) fn between_slices<T: Real>(way: Way, a: &[Motor<T>], b: &[Motor<T>], 
 pub(crate) fn along_screws<T: Real>(a: &Blocks<Motor<T>>, generators: &Blocks<Line<T>>, t: T, motors: &mut [Motor<T>]) {
     let items = ((a, generators), Same(t));
     let done = match precision::<T>() {
-        Precision::Single => map(items, motors, along(Single), along(Single)),
-        Precision::Double => map(items, motors, along(Double), along(Double)),
+        Precision::Single => map(items, motors, Along(Single), Along(Single)),
+        Precision::Double => map(items, motors, Along(Double), Along(Double)),
         Precision::Finer => map(items, motors, carried::<T>, carried::<Fused<T>>),
     };
     done.expect("invariant: lists of one length");
@@ -167,13 +167,32 @@ pub(crate) fn along_screws<T: Real>(a: &Blocks<Motor<T>>, generators: &Blocks<Li
 
 type Generated<S> = ((Motor<S>, Line<S>), Same<S>);
 
-fn along<S: Real>(polynomials: impl Polynomials) -> impl OnBlock<Generated<S>, Motor<S>> {
-    Quickly {
-        quick: move |((a, generator), Same(t)): Generated<S>| {
-            kernels::motor_mul_motor_fma(a, polynomials.exp(generator * t))
-        },
-        holds: move |((_, generator), Same(t)): Generated<S>| polynomials.exp_holds(generator * t),
-        exact: carried,
+/// a exp(t l) in two stages, as [`Screws`].
+struct Along<P>(P);
+
+impl<S: Real, P: Polynomials> OnBlock<Generated<S>, Motor<S>> for Along<P> {
+    #[inline(always)]
+    fn run(&self, lanes: LaneCount, item: impl Fn(usize) -> Generated<S>, mut put: impl FnMut(usize, Motor<S>)) {
+        let Self(polynomials) = *self;
+        let mut steps = Motor::<S>::IDENTITY.splat::<LANES>();
+        let mut failures = 0_u32;
+        for lane in lanes.range() {
+            let ((_, generator), Same(t)) = item(lane);
+            failures |= u32::from(!polynomials.exp_holds(generator * t));
+            polynomials.exp(generator * t).put(&mut steps, lane);
+        }
+        for lane in lanes.range() {
+            let ((a, _), _) = item(lane);
+            put(lane, kernels::motor_mul_motor_fma(a, Motor::<S>::get(&steps, lane)));
+        }
+        if failures != 0 {
+            for lane in 0..LANES {
+                let item @ ((_, generator), Same(t)) = item(lane);
+                if !polynomials.exp_holds(generator * t) {
+                    put(lane, carried(item));
+                }
+            }
+        }
     }
 }
 

@@ -31,7 +31,7 @@ impl<T: Real> ScrewCache<T> {
 
     /// Makes the screws those from the motors of one key to those of another.
     fn join(&mut self, a: &[Motor<T>], b: &[Motor<T>]) {
-        if self.starts == a && self.ends == b {
+        if are_same(&self.starts, a) & are_same(&self.ends, b) {
             return;
         }
         for (joint, (&a, &b)) in a.iter().zip(b).enumerate() {
@@ -44,9 +44,17 @@ impl<T: Real> ScrewCache<T> {
     }
 }
 
+/// Whether motors are the same, number by number. Without a branch, as mostly they are.
+fn are_same<T: Real>(a: &[Motor<T>], b: &[Motor<T>]) -> bool {
+    let all = |same: bool, (a, b): (&Motor<T>, &Motor<T>)| {
+        a.to_array().iter().zip(b.to_array()).fold(same, |same, (a, b)| same & (*a == b))
+    };
+    a.iter().zip(b).fold(true, all)
+}
+
 impl<T: Real> Clip<T> {
     /// [`Clip::sample_into`] with [`Interpolation::Screw`](super::Interpolation::Screw) and the same results up to the last digits, for
-    /// about half the cost while samples stay between the same two keys. Nothing is allocated.
+    /// about two thirds of the cost while samples stay between the same two keys. Nothing is allocated.
     ///
     /// # Errors
     /// Those of [`Clip::sample_into`], [`ClipError::PoseLength`] also for a cache of another number of joints; `pose` is then as it
