@@ -78,6 +78,10 @@ struct Batch<S, D, P, F> {
     source: S,
     sink: D,
     plain: P,
+    #[cfg_attr(
+        not(all(feature = "std", target_arch = "x86_64")),
+        expect(dead_code, reason = "nothing is fused there")
+    )]
     fused: F,
 }
 
@@ -134,6 +138,10 @@ pub(super) fn map<S: Source, D: Sink>(
 struct InPlace<'a, E: Lanewise, P, F> {
     blocks: &'a mut [Block<E>],
     plain: P,
+    #[cfg_attr(
+        not(all(feature = "std", target_arch = "x86_64")),
+        expect(dead_code, reason = "nothing is fused there")
+    )]
     fused: F,
 }
 
