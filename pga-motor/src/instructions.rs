@@ -86,6 +86,9 @@ pub fn with_instruction_set<R>(set: InstructionSet, work: impl FnOnce() -> R) ->
     Some(work())
 }
 
+/// Whether all of the crate is compiled for machines with an instruction for a product fused with a sum.
+const ALWAYS_FUSES: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+
 /// Does work compiled for the instructions in use.
 #[inline]
 #[cfg_attr(all(feature = "std", target_arch = "x86_64"), expect(unsafe_code, reason = "each call is behind its check"))]
@@ -97,6 +100,7 @@ pub(crate) fn dispatch<W: Work>(work: W) {
         // SAFETY: as above.
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
         InstructionSet::Avx2 => unsafe { run_avx2(work) },
+        _ if ALWAYS_FUSES => work.run_fused(),
         _ => work.run(),
     }
 }

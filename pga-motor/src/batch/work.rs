@@ -78,10 +78,6 @@ struct Batch<S, D, P, F> {
     source: S,
     sink: D,
     plain: P,
-    #[cfg_attr(
-        not(all(feature = "std", target_arch = "x86_64")),
-        expect(dead_code, reason = "nothing is fused there")
-    )]
     fused: F,
 }
 
@@ -138,10 +134,6 @@ pub(super) fn map<S: Source, D: Sink>(
 struct InPlace<'a, E: Lanewise, P, F> {
     blocks: &'a mut [Block<E>],
     plain: P,
-    #[cfg_attr(
-        not(all(feature = "std", target_arch = "x86_64")),
-        expect(dead_code, reason = "nothing is fused there")
-    )]
     fused: F,
 }
 
