@@ -1,4 +1,8 @@
-//! Which instructions slices and batches are worked out with: the one place that calls functions compiled for more than every machine has.
+//! Which instructions slices, batches and packed kernels are worked out with: the one place that calls functions compiled for certain
+//! instructions, and so the one with `unsafe`.
+
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+pub(crate) mod sse2;
 
 /// Something to be done.
 pub(crate) trait Work {

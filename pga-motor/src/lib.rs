@@ -50,6 +50,7 @@ mod algebra;
 mod alignment;
 pub mod batch;
 mod even;
+mod four;
 pub mod game;
 pub mod gf3;
 pub mod import;

@@ -4,10 +4,11 @@
 //! and `f64`; `Real` with the feature `std` or `libm`. Anything else that is a ring can be run through the same compiled
 //! kernels: exact rationals, polynomials, intervals, dual numbers.
 
-#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-mod sse2;
-
 use core::ops::{Add, Div, Mul, Neg, Sub};
+
+pub use crate::four::Four;
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+use crate::instructions::sse2;
 
 /// A commutative ring of `Copy` values.
 pub trait Scalar:
@@ -33,20 +34,6 @@ pub trait Scalar:
     fn fused_mul_add(self, factor: Self, term: Self) -> Self {
         self.mul_add(factor, term)
     }
-}
-
-/// Four numbers side by side, for packed kernels.
-pub trait Four<S>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
-    /// Whether arithmetic on them is faster than on four numbers one by one, so that operators call packed kernels.
-    const IS_FAST: bool;
-    /// The value with these lanes.
-    fn new(lanes: [S; 4]) -> Self;
-    /// The lanes.
-    fn to_array(self) -> [S; 4];
-    /// In every lane the one that two bits of the mask name, the lowest for lane 0.
-    fn shuffle<const MASK: i32>(self) -> Self;
-    /// The lanes negated whose bits of the mask are set, the lowest that of lane 0.
-    fn negate<const MASK: i32>(self) -> Self;
 }
 
 /// Four numbers in an array, whatever they are.

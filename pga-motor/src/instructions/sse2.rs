@@ -1,7 +1,7 @@
 //! Four `f32` in a register of SSE2, which every x86-64 has: the one place for these instructions.
 #![expect(unsafe_code, reason = "the compiler wants it for instructions that a function is not said to need")]
 
-use super::Four;
+use crate::four::Four;
 use core::arch::x86_64::{
     __m128, _mm_add_ps, _mm_mul_ps, _mm_setr_ps, _mm_shuffle_ps, _mm_storeu_ps, _mm_sub_ps, _mm_xor_ps,
 };
