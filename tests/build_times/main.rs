@@ -1,8 +1,7 @@
 //! How long users wait: for the crate in a clean debug build, and for the expansion of a preset with all its proofs, unoptimised as
 //! proc-macros are.
 //!
-//! In seconds of processor time, which what else the machine does hardly changes, but how fast it is does: so only .ci/run asks for it,
-//! by `cargo test --test build_times -- --ignored --nocapture`.
+//! In seconds of processor time, which what else the machine does hardly changes.
 
 #![cfg(target_os = "linux")]
 
@@ -27,7 +26,6 @@ fn children_time() -> f64 {
 }
 
 #[test]
-#[ignore = "its limits are those of the machine that .ci/run runs on"]
 fn clean_builds_and_expansions_are_quick() {
     let project = Project::new("times");
     let built = project.built("");
